@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Finding VTK and ParaView where find_package alone does not suffice. Shared by this build and by
+# the installed CMake package, whose users meet the same systems.
+
+# illumination_locate(<package> <variable>): the folder of the CMake files that find_package would
+# read for <package>, without reading them. No version is new enough for this call, so all that
+# find_package does is to list what it considered.
+function (illumination_locate package variable)
+  find_package("${package}" 99999 QUIET CONFIG)
+  set(folder "")
+  if (${package}_CONSIDERED_CONFIGS)
+    list(GET ${package}_CONSIDERED_CONFIGS 0 folder)
+    get_filename_component(folder "${folder}" DIRECTORY)
+  endif ()
+  set("${variable}" "${folder}" PARENT_SCOPE)
+endfunction ()
+
+# illumination_stand_in_for_python_targets(<folder>): Debian 13 installs ParaView's Python modules
+# as vtkX.cpython-*.so, but the CMake files in <folder> ask for vtkX.so and stop because it is
+# missing. They also return at once when their targets exist already. Nothing here links to these
+# targets, so empty ones stand in for them. Where the files are in place this does nothing.
+function (illumination_stand_in_for_python_targets folder)
+  string(REGEX REPLACE "/lib[^/]*/.*" "" prefix "${folder}")
+  file(GLOB targets_files "${folder}/*Python*-targets.cmake")
+  foreach (targets_file IN LISTS targets_files)
+    string(REGEX REPLACE "\\.cmake$" "-*.cmake" configurations "${targets_file}")
+    file(GLOB configurations "${configurations}")
+    foreach (configuration IN LISTS configurations)
+      file(STRINGS "${configuration}" modules REGEX "IMPORTED_LOCATION_.*dist-packages")
+      string(REGEX MATCH "dist-packages/[^\"]*" module "${modules}")
+      if (NOT module OR EXISTS "${prefix}/lib/python3/${module}")
+        continue ()
+      endif ()
+      message(STATUS "${prefix}/lib/python3/${module} is missing: standing in for ${targets_file}")
+      file(STRINGS "${targets_file}" names REGEX "^foreach ?\\(_cmake_expected_target IN ITEMS ")
+      string(REGEX MATCHALL "[A-Za-z0-9_]+::[A-Za-z0-9_]+" names "${names}")
+      foreach (name IN LISTS names)
+        if (NOT TARGET "${name}")
+          add_library("${name}" INTERFACE IMPORTED)
+        endif ()
+      endforeach ()
+    endforeach ()
+  endforeach ()
+endfunction ()
+
+# illumination_find_paraview(...), illumination_find_vtk(...): find_package(<package> ...) with the
+# above. VTK is looked for inside ParaView too, but only where there is none of its own.
+macro (illumination_find_paraview)
+  illumination_locate(ParaView _illumination_folder)
+  illumination_stand_in_for_python_targets("${_illumination_folder}")
+  illumination_stand_in_for_python_targets("${_illumination_folder}/vtk")
+  find_package(ParaView ${ARGV})
+endmacro ()
+
+macro (illumination_find_vtk)
+  illumination_locate(VTK _illumination_folder)
+  if (NOT _illumination_folder)
+    illumination_locate(ParaView _illumination_folder)
+    set(_illumination_folder "${_illumination_folder}/vtk")
+    illumination_stand_in_for_python_targets("${_illumination_folder}")
+  endif ()
+  find_package(VTK ${ARGV} PATHS "${_illumination_folder}")
+endmacro ()
