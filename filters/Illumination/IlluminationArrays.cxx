@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "IlluminationArrays.h"
+
+#include "SceneBlocks.h"
+
+#include "PhotonTransport/scene/Scene.h"
+#include "PhotonTransport/transport/IlluminationMap.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace
+{
+
+using PhotonTransport::IlluminationMap;
+using PhotonTransport::SideMap;
+
+/// Carries values from the scene's vertices to a block's points. A point whose normals were split
+/// has several vertices: it gets their mean by area, which keeps the flux, sum A E.
+class PointMapping
+{
+public:
+  PointMapping(const SceneBlock& block, const std::vector<double>& vertexAreas, vtkIdType points)
+    : Block(block)
+    , VertexAreas(vertexAreas)
+    , Areas(static_cast<std::size_t>(points), 0.0)
+  {
+    this->ForEach([&](std::size_t vertex, std::size_t point) {
+      this->Areas[point] += this->VertexAreas[vertex];
+    });
+  }
+
+  /// Calls f(vertex of the scene, point of the block).
+  template <typename Function>
+  void ForEach(const Function& f) const
+  {
+    for (std::size_t v = 0; v < this->Block.pointOfVertex.size(); ++v)
+    {
+      f(this->Block.firstVertex + v, static_cast<std::size_t>(this->Block.pointOfVertex[v]));
+    }
+  }
+
+  std::vector<double> Mean(const std::vector<double>& values) const
+  {
+    std::vector<double> mean(this->Areas.size(), 0.0);
+    this->ForEach([&](std::size_t vertex, std::size_t point) {
+      if (this->Areas[point] > 0.0)
+      {
+        mean[point] += values[vertex] * (this->VertexAreas[vertex] / this->Areas[point]);
+      }
+    });
+    return mean;
+  }
+
+  /// Standard error of Mean(), as if the vertices of a point had independent noise.
+  std::vector<double> MeanError(const std::vector<double>& errors) const
+  {
+    std::vector<double> error(this->Areas.size(), 0.0);
+    this->ForEach([&](std::size_t vertex, std::size_t point) {
+      if (this->Areas[point] > 0.0)
+      {
+        error[point] =
+          std::hypot(error[point], errors[vertex] * (this->VertexAreas[vertex] / this->Areas[point]));
+      }
+    });
+    return error;
+  }
+
+private:
+  const SceneBlock& Block;
+  const std::vector<double>& VertexAreas;
+  std::vector<double> Areas;
+};
+
+void AddArray(vtkFieldData* data, const char* name, const std::vector<double>& values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  data->AddArray(array);
+}
+
+void AddArray(vtkFieldData* data, const char* name, const std::vector<std::uint64_t>& values)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  data->AddArray(array);
+}
+
+void AddArray(vtkFieldData* data, const char* name, const std::vector<std::string>& lines)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (const std::string& line : lines)
+  {
+    array->InsertNextValue(line);
+  }
+  data->AddArray(array);
+}
+
+std::vector<double> Sum(const std::vector<double>& a, const std::vector<double>& b)
+{
+  std::vector<double> sum(a.size());
+  std::transform(a.begin(), a.end(), b.begin(), sum.begin(), std::plus<>());
+  return sum;
+}
+
+/// a / b, 0 where b is 0.
+std::vector<double> Ratio(const std::vector<double>& a, const std::vector<double>& b)
+{
+  std::vector<double> ratio(a.size());
+  std::transform(a.begin(), a.end(), b.begin(), ratio.begin(),
+    [](double x, double y) { return y > 0.0 ? x / y : 0.0; });
+  return ratio;
+}
+
+double PerSecond(std::uint64_t count, double seconds)
+{
+  return seconds > 0.0 ? static_cast<double>(count) / seconds : 0.0;
+}
+
+} // namespace
+
+void AddPointArrays(vtkPolyData* output, const SceneBlock& block,
+  const PhotonTransport::Scene& scene, const IlluminationMap& map)
+{
+  const PointMapping mapping(block, scene.VertexAreas(), output->GetNumberOfPoints());
+  vtkPointData* arrays = output->GetPointData();
+
+  const std::vector<double> direct = mapping.Mean(map.front.direct);
+  const std::vector<double> indirect = mapping.Mean(map.front.indirect);
+  const std::vector<double> total = Sum(direct, indirect);
+  const std::vector<double> error = mapping.MeanError(map.front.standardError);
+  AddArray(arrays, "Illuminance", total);
+  AddArray(arrays, "IlluminanceDirect", direct);
+  AddArray(arrays, "IlluminanceIndirect", indirect);
+  AddArray(arrays, "StandardError", error);
+  AddArray(arrays, "RelativeError", Ratio(error, total));
+  if (!map.back.direct.empty())
+  {
+    AddArray(arrays, "IlluminanceBack",
+      Sum(mapping.Mean(map.back.direct), mapping.Mean(map.back.indirect)));
+    AddArray(arrays, "StandardErrorBack", mapping.MeanError(map.back.standardError));
+  }
+  std::vector<std::uint64_t> hits(total.size(), 0);
+  mapping.ForEach(
+    [&](std::size_t vertex, std::size_t point) { hits[point] += map.photonHits[vertex]; });
+  AddArray(arrays, "PhotonHits", hits);
+  arrays->SetActiveScalars("Illuminance");
+}
+
+void AddFieldData(
+  vtkFieldData* output, const IlluminationMap& map, const std::vector<std::string>& notes)
+{
+  using Count = std::vector<std::uint64_t>;
+  using Value = std::vector<double>;
+  using Text = std::vector<std::string>;
+  AddArray(output, "PhotonsEmitted", Count{ map.balance.emitted });
+  AddArray(output, "PhotonsAbsorbed", Count{ map.balance.absorbed });
+  AddArray(output, "PhotonsEscaped", Count{ map.balance.escaped });
+  AddArray(output, "PhotonsCutOff", Count{ map.balance.cutOff });
+  AddArray(output, "EmittedFlux", Value{ map.flux });
+  AddArray(output, "FluxCutByWeightBound", Value{ map.fluxCutByWeightBound });
+  AddArray(output, "Seconds", Value{ map.seconds });
+  AddArray(output, "PhotonsPerSecond", Value{ PerSecond(map.balance.emitted, map.seconds) });
+  AddArray(output, "SegmentsPerSecond", Value{ PerSecond(map.balance.segments, map.seconds) });
+  AddArray(output, "StoppedBy", Text{ map.complete ? "photon limit" : "abort" });
+  AddArray(output, "Effects", map.effects);
+  AddArray(output, "Notes", notes);
+  AddArray(output, "IlluminationMapsVersion", Text{ ILLUMINATION_VERSION });
+}
+
+std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTransport::Scene& scene)
+{
+  std::vector<std::string> notes;
+  for (const SceneBlock& block : blocks.Blocks())
+  {
+    if (block.normalsWereComputed)
+    {
+      notes.push_back("the points" + block.name + " had no normals; they were computed");
+    }
+  }
+  const auto count = [&](std::size_t number, const std::string& what) {
+    if (number > 0)
+    {
+      notes.push_back(std::to_string(number) + " " + what);
+    }
+  };
+  const PhotonTransport::SceneNotes& found = scene.Notes();
+  count(found.replacedNormals, "point normals were zero or not finite; the mean of the facets around the point stands in");
+  count(found.turnedFacets, "triangles wind against their point normals; the normals decide which side is the front");
+  count(found.droppedFacets, "triangles have no area and were left out");
+  count(blocks.BlocksNotPolygonal(), "blocks are not polygonal and were passed through unlit");
+  return notes;
+}

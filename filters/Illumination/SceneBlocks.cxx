@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneBlocks.h"
+
+#include "CellValues.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkTriangleFilter.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace
+{
+
+constexpr const char* CellIds = "IlluminationCellIds";
+constexpr const char* PointIds = "IlluminationPointIds";
+
+vtkSmartPointer<vtkIdTypeArray> Counting(const char* name, vtkIdType count)
+{
+  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+  ids->SetName(name);
+  ids->SetNumberOfTuples(count);
+  std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, vtkIdType{ 0 });
+  return ids;
+}
+
+std::vector<vtkIdType> Values(vtkDataArray* ids)
+{
+  auto* array = vtkIdTypeArray::SafeDownCast(ids);
+  return { array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues() };
+}
+
+/// Point normals as the pipeline marks them, or else an array of that name.
+vtkDataArray* NormalsOf(vtkPolyData* data)
+{
+  vtkDataArray* normals = data->GetPointData()->GetNormals();
+  normals = normals ? normals : data->GetPointData()->GetArray("Normals");
+  const bool usable = normals && normals->GetNumberOfComponents() == 3 &&
+    normals->GetNumberOfTuples() == data->GetNumberOfPoints();
+  return usable ? normals : nullptr;
+}
+
+/// VTK's filters index points without a check, so a bad index must not reach them.
+void RequireValidIndices(vtkPolyData* data, const std::string& block)
+{
+  const vtkIdType points = data->GetNumberOfPoints();
+  vtkIdType cell = data->GetNumberOfVerts() + data->GetNumberOfLines();
+  for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
+  {
+    auto it = vtk::TakeSmartPointer(cells->NewIterator());
+    for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell(), ++cell)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      it->GetCurrentCell(size, ids);
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        if (ids[i] < 0 || ids[i] >= points)
+        {
+          throw InputError("cell " + std::to_string(cell) + block + " uses point " +
+            std::to_string(ids[i]) + " of " + std::to_string(points));
+        }
+      }
+    }
+  }
+}
+
+/// The triangles of a block alone, with the ids of the cells and points they come from and with
+/// normals.
+vtkSmartPointer<vtkPolyData> Triangles(
+  vtkPolyData* data, vtkDataArray* normals, double featureAngle)
+{
+  vtkNew<vtkPolyData> bare;
+  bare->CopyStructure(data);
+  bare->GetCellData()->AddArray(Counting(CellIds, data->GetNumberOfCells()));
+  bare->GetPointData()->AddArray(Counting(PointIds, data->GetNumberOfPoints()));
+  bare->GetPointData()->SetNormals(normals);
+
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(bare);
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  if (normals || triangles->GetOutput()->GetNumberOfPolys() == 0)
+  {
+    return triangles->GetOutput();
+  }
+  vtkNew<vtkPolyDataNormals> split;
+  split->SetInputConnection(triangles->GetOutputPort());
+  split->SetFeatureAngle(featureAngle);
+  split->SplittingOn();
+  split->ConsistencyOn();
+  split->Update();
+  return split->GetOutput();
+}
+
+std::string NameOf(const char* what, vtkIdType id, const SceneBlock& block)
+{
+  return what + (" " + std::to_string(id)) + block.name;
+}
+
+} // namespace
+
+SceneBlocks::SceneBlocks(vtkDataObject* data, const SurfaceDescription& description)
+{
+  this->All.metresPerUnit = description.metresPerUnit;
+  if (!(description.reflectance >= 0.0 && description.reflectance <= 1.0))
+  {
+    throw InputError(
+      "Reflectance is " + std::to_string(description.reflectance) + "; it must be within [0, 1]");
+  }
+  if (auto* single = vtkPolyData::SafeDownCast(data))
+  {
+    SceneBlock block;
+    block.data = single;
+    this->Append(std::move(block), description);
+  }
+  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto it = vtk::TakeSmartPointer(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      SceneBlock block;
+      block.data = vtkPolyData::SafeDownCast(it->GetCurrentDataObject());
+      block.name = " of block " + std::to_string(it->GetCurrentFlatIndex());
+      if (block.data)
+      {
+        this->Append(std::move(block), description);
+      }
+      else
+      {
+        ++this->OtherBlocks;
+      }
+    }
+  }
+  if (this->All.facets.empty())
+  {
+    throw InputError("the input has no polygons or triangle strips to light");
+  }
+}
+
+void SceneBlocks::Append(SceneBlock block, const SurfaceDescription& description)
+{
+  RequireValidIndices(block.data, block.name);
+  vtkDataArray* given = NormalsOf(block.data);
+  block.normalsWereComputed = !given;
+  const auto mesh = Triangles(block.data, given, description.featureAngle);
+  if (mesh->GetNumberOfPolys() == 0)
+  {
+    return;
+  }
+  block.firstVertex = this->All.points.size();
+  block.firstFacet = this->All.facets.size();
+  block.pointOfVertex = Values(mesh->GetPointData()->GetArray(PointIds));
+  block.cellOfFacet = Values(mesh->GetCellData()->GetArray(CellIds));
+
+  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    glm::dvec3 point, normal;
+    mesh->GetPoint(p, &point.x);
+    normals->GetTuple(p, &normal.x);
+    this->All.points.push_back(point);
+    this->All.normals.push_back(normal);
+  }
+  const auto offset = static_cast<unsigned>(block.firstVertex);
+  auto it = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    it->GetCurrentCell(size, ids);
+    this->All.facets.emplace_back(offset + static_cast<unsigned>(ids[0]),
+      offset + static_cast<unsigned>(ids[1]), offset + static_cast<unsigned>(ids[2]));
+  }
+
+  const CellValues reflectance = description.reflectanceArray.empty()
+    ? CellValues(description.reflectance)
+    : CellValues(block, description.reflectanceArray, { "reflectance", 1.0 });
+  for (const vtkIdType cell : block.cellOfFacet)
+  {
+    this->All.reflectance.push_back(reflectance.Of(cell));
+  }
+  if (!description.exitanceArray.empty())
+  {
+    const CellValues exitance(
+      block, description.exitanceArray, { "exitance", VTK_FLOAT_MAX });
+    for (const vtkIdType cell : block.cellOfFacet)
+    {
+      this->All.exitance.push_back(exitance.Of(cell));
+    }
+  }
+  this->Parts.push_back(std::move(block));
+}
+
+std::string SceneBlocks::NameOfFacet(std::size_t facet) const
+{
+  const auto after = std::upper_bound(this->Parts.begin(), this->Parts.end(), facet,
+    [](std::size_t f, const SceneBlock& block) { return f < block.firstFacet; });
+  const SceneBlock& block = *(after - 1);
+  return NameOf("cell", block.cellOfFacet[facet - block.firstFacet], block);
+}
+
+std::string SceneBlocks::NameOfVertex(std::size_t vertex) const
+{
+  const auto after = std::upper_bound(this->Parts.begin(), this->Parts.end(), vertex,
+    [](std::size_t v, const SceneBlock& block) { return v < block.firstVertex; });
+  const SceneBlock& block = *(after - 1);
+  return NameOf("point", block.pointOfVertex[vertex - block.firstVertex], block);
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one place for differences between VTK 9.1 and 9.3.
+#ifndef VtkVersion_h
+#define VtkVersion_h
+
+#include "vtkAlgorithm.h"
+#include "vtkVersionMacros.h"
+
+/// Whether the user wants this execution to end.
+inline bool AbortRequested(vtkAlgorithm* algorithm)
+{
+#if VTK_MAJOR_VERSION > 9 || (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION >= 3)
+  return algorithm->CheckAbort(); // looks downstream too
+#else
+  return algorithm->GetAbortExecute() != 0;
+#endif
+}
+
+#endif

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkIlluminationMap
+ * @brief   illuminance at every point of a triangulated surface, by photon tracing
+ *
+ * Traces photons from a lamp through the scene that the input describes and gives each point the
+ * light that arrives there, directly and after any number of diffuse reflections. Hits are
+ * registered on the vertices of the facet they land on and, in two of the three registrations,
+ * compensated for the difference between the flat facet and the curved surface that the point
+ * normals describe (B. Barladian, "Indirect illumination on curve surfaces").
+ *
+ * The input is a vtkPolyData, or a composite data set whose vtkPolyData blocks form one scene
+ * together. Polygons and strips count as the triangles they are made of; vertices and lines stay
+ * unlit. Point normals say which side of the surface is the front; without them they are computed
+ * as vtkPolyDataNormals does.
+ *
+ * The output is the input, untouched, with these point arrays (double):
+ *  - Illuminance (lx = lm/m^2): what arrives on the front; IlluminanceDirect + IlluminanceIndirect.
+ *  - IlluminanceDirect, IlluminanceIndirect (lx): without and with a reflection on the way.
+ *  - StandardError (lx), RelativeError (StandardError / Illuminance, 0 where it is dark): the noise
+ *    of Illuminance, from eight independent replicates. Facet size is not in it.
+ *  - IlluminanceBack, StandardErrorBack (lx): what arrives on the back, with RegisterBackSide.
+ *  - PhotonHits (vtkIdType): photons that hit the front of a facet around the point.
+ * and these field data arrays: PhotonsEmitted = PhotonsAbsorbed + PhotonsEscaped + PhotonsCutOff,
+ * EmittedFlux (lm), FluxCutByWeightBound (lm), Seconds, PhotonsPerSecond, SegmentsPerSecond,
+ * StoppedBy, Effects (which are on or off, and why), Notes (what was found and mended in the input),
+ * IlluminationMapsVersion.
+ *
+ * Give watts for lumens and the result is irradiance in W/m^2.
+ *
+ * The result is a function of the input and the properties alone: it has the same bits for any
+ * NumberOfThreads. Bad input gives one error that names the array, the cell or point and the value,
+ * and the input passes through without the arrays.
+ */
+
+#ifndef vtkIlluminationMap_h
+#define vtkIlluminationMap_h
+
+#include "vtkIlluminationModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <string> // for array names
+
+class VTKILLUMINATION_EXPORT vtkIlluminationMap : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkIlluminationMap* New();
+  vtkTypeMacro(vtkIlluminationMap, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum LampTypes
+  {
+    PARALLEL = 0,         ///< Light from infinitely far away over the whole scene.
+    POINT = 1,            ///< The same intensity in all directions.
+    LAMBERTIAN_POINT = 2, ///< A small flat lamp: intensity falls as the cosine.
+    SPOT = 3,             ///< A cone of light from a point.
+    RECTANGLE = 4,        ///< A Lambertian panel; it stops no light itself.
+    DISK = 5,             ///< As RECTANGLE, round.
+    EMITTING_FACETS = 6   ///< The input's own cells, by ExitanceArray.
+  };
+
+  enum Registrations
+  {
+    FLAT = 0,             ///< Formula (1) of the paper: facets as they are.
+    FACET_RATIO = 1,      ///< Formulas (2) and (3): compensated at the hit.
+    VERTEX_NORMALISED = 2 ///< Compensated at the vertex: no bias from facets, bounded weight.
+  };
+
+  enum Samplings
+  {
+    RANDOM = 0,
+    SOBOL = 1
+  };
+
+  ///@{
+  /**
+   * Kind of lamp, see LampTypes. Default: PARALLEL.
+   */
+  vtkSetClampMacro(LampType, int, PARALLEL, EMITTING_FACETS);
+  vtkGetMacro(LampType, int);
+  ///@}
+
+  ///@{
+  /**
+   * Where a point lamp or the centre of a panel is, in the data's length unit. Default: (0, 0, 1).
+   */
+  vtkSetVector3Macro(LampPosition, double);
+  vtkGetVector3Macro(LampPosition, double);
+  ///@}
+
+  ///@{
+  /**
+   * The way the light travels: of parallel light, or the axis of a lamp that has one. Any length
+   * but zero. Default: (0, 0, -1).
+   */
+  vtkSetVector3Macro(LampDirection, double);
+  vtkGetVector3Macro(LampDirection, double);
+  ///@}
+
+  ///@{
+  /**
+   * Width and height of a rectangle, or the radius of a disk first, in the data's length unit; >= 0.
+   * The width runs along z x LampDirection (along x for a lamp that shines straight up or down).
+   * Default: (1, 1).
+   */
+  vtkSetVector2Macro(LampSize, double);
+  vtkGetVector2Macro(LampSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Angle between a spot's axis and its edge, degrees, (0, 180]; at most 90 with a SpotExponent
+   * above 0. Default: 30.
+   */
+  vtkSetMacro(SpotHalfAngle, double);
+  vtkGetMacro(SpotHalfAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * How a spot's intensity falls off from its axis: as cos^n(theta), n >= 0. Default: 0, even.
+   */
+  vtkSetMacro(SpotExponent, double);
+  vtkGetMacro(SpotExponent, double);
+  ///@}
+
+  ///@{
+  /**
+   * Luminous flux of the lamp, lm, >= 0. Not for parallel light and emitting facets. Default: 1000.
+   */
+  vtkSetMacro(LuminousFlux, double);
+  vtkGetMacro(LuminousFlux, double);
+  ///@}
+
+  ///@{
+  /**
+   * Illuminance that parallel light gives a surface perpendicular to it, lx, >= 0. Default: 1000.
+   */
+  vtkSetMacro(ParallelIlluminance, double);
+  vtkGetMacro(ParallelIlluminance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Diffuse reflectance of all cells, both sides, [0, 1], where no ReflectanceArray is named.
+   * Default: 0.5.
+   */
+  vtkSetMacro(Reflectance, double);
+  vtkGetMacro(Reflectance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Name of a cell array of diffuse reflectances in [0, 1], 1 or 3 components (3 are averaged).
+   * Default: none (empty).
+   */
+  vtkSetStdStringFromCharMacro(ReflectanceArray);
+  vtkGetCharFromStdStringMacro(ReflectanceArray);
+  ///@}
+
+  ///@{
+  /**
+   * Name of a cell array of luminous exitances, lm/m^2, >= 0, 1 or 3 components (3 are averaged),
+   * for EMITTING_FACETS: the cells' fronts shine diffusely. Default: none (empty).
+   */
+  vtkSetStdStringFromCharMacro(ExitanceArray);
+  vtkGetCharFromStdStringMacro(ExitanceArray);
+  ///@}
+
+  ///@{
+  /**
+   * How hits are registered, see Registrations. Default: VERTEX_NORMALISED.
+   */
+  vtkSetClampMacro(Registration, int, FLAT, VERTEX_NORMALISED);
+  vtkGetMacro(Registration, int);
+  ///@}
+
+  ///@{
+  /**
+   * Number of photons, 8 to 1e10. Four times as many halve the noise. Default: 1000000.
+   */
+  vtkSetMacro(Photons, vtkIdType);
+  vtkGetMacro(Photons, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Any number; another one gives independent noise. Default: 1.
+   */
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+  ///@{
+  /**
+   * SOBOL spreads the photons of a lamp evenly (Owen-scrambled), RANDOM does not. Default: SOBOL.
+   */
+  vtkSetClampMacro(Sampling, int, RANDOM, SOBOL);
+  vtkGetMacro(Sampling, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether light is reflected. Switched off, photons end where they first arrive, and those that
+   * would have gone on are counted in PhotonsCutOff. Default: on.
+   */
+  vtkSetMacro(Interreflection, bool);
+  vtkGetMacro(Interreflection, bool);
+  vtkBooleanMacro(Interreflection, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether light on the backs of facets is registered too, as IlluminanceBack. Default: off.
+   */
+  vtkSetMacro(RegisterBackSide, bool);
+  vtkGetMacro(RegisterBackSide, bool);
+  vtkBooleanMacro(RegisterBackSide, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Metres that the data's length unit is long, > 0: 0.001 for a model in millimetres. Default: 1.
+   */
+  vtkSetMacro(MetresPerUnit, double);
+  vtkGetMacro(MetresPerUnit, double);
+  ///@}
+
+  ///@{
+  /**
+   * Edges sharper than this stay sharp where normals are computed, degrees, [0, 180]. Only used on
+   * input without point normals. A point on a sharp edge then gets the mean of its sides, by area.
+   * Default: 30.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Threads to trace with; 0 means all cores. The result does not depend on it. Default: 0.
+   */
+  vtkSetMacro(NumberOfThreads, int);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * Largest factor by which compensation may raise a hit, [1, 1048576]. Ordinary surfaces stay
+   * below 2 with VERTEX_NORMALISED; FACET_RATIO has no bound of its own. What is cut off is reported
+   * in FluxCutByWeightBound. Default: 16.
+   */
+  vtkSetMacro(WeightBound, double);
+  vtkGetMacro(WeightBound, double);
+  ///@}
+
+  ///@{
+  /**
+   * Photons that are still on their way after this many segments end there and are counted in
+   * PhotonsCutOff; >= 1. Default: 10000, which no scene that absorbs 1 % ever reaches.
+   */
+  vtkSetMacro(MaximumPathLength, int);
+  vtkGetMacro(MaximumPathLength, int);
+  ///@}
+
+protected:
+  vtkIlluminationMap();
+  ~vtkIlluminationMap() override = default;
+
+  int ProcessRequest(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+  int LampType = PARALLEL;
+  double LampPosition[3] = { 0.0, 0.0, 1.0 };
+  double LampDirection[3] = { 0.0, 0.0, -1.0 };
+  double LampSize[2] = { 1.0, 1.0 };
+  double SpotHalfAngle = 30.0;
+  double SpotExponent = 0.0;
+  double LuminousFlux = 1000.0;
+  double ParallelIlluminance = 1000.0;
+  double Reflectance = 0.5;
+  std::string ReflectanceArray;
+  std::string ExitanceArray;
+  int Registration = VERTEX_NORMALISED;
+  vtkIdType Photons = 1000000;
+  int Seed = 1;
+  int Sampling = SOBOL;
+  bool Interreflection = true;
+  bool RegisterBackSide = false;
+  double MetresPerUnit = 1.0;
+  double FeatureAngle = 30.0;
+  int NumberOfThreads = 0;
+  double WeightBound = 16.0;
+  int MaximumPathLength = 10000;
+
+private:
+  vtkIlluminationMap(const vtkIlluminationMap&) = delete;
+  void operator=(const vtkIlluminationMap&) = delete;
+
+  void Trace(vtkDataObject* output);
+};
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace PhotonTransport
+{
+
+/// For each vertex its ring: the facets that share it, as one flat list.
+class FacetRings
+{
+public:
+  FacetRings() = default;
+  FacetRings(std::size_t vertexCount, const std::vector<glm::uvec3>& facets);
+
+  struct Range
+  {
+    const std::uint32_t* first;
+    const std::uint32_t* last;
+    const std::uint32_t* begin() const { return this->first; }
+    const std::uint32_t* end() const { return this->last; }
+  };
+  Range Of(std::uint32_t vertex) const
+  {
+    const std::uint32_t* base = this->Facets.data();
+    return { base + this->Offsets[vertex], base + this->Offsets[vertex + 1] };
+  }
+
+private:
+  std::vector<std::uint64_t> Offsets;
+  std::vector<std::uint32_t> Facets;
+};
+
+} // namespace PhotonTransport

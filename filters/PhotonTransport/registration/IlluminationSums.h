@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PhotonTransport/statistics/PhotonBalance.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace PhotonTransport
+{
+
+/// Sums of weights as 64-bit integers with 28 fraction bits. Integer addition is associative: a sum
+/// has the same bits whatever the order, and 3e10 full hits fit.
+using FixedPoint = std::int64_t;
+constexpr float FixedPointOne = 0x1p28f;
+
+/// Rounds to nearest. @param weight in [0, 2^30).
+inline FixedPoint ToFixedPoint(float weight)
+{
+  return static_cast<FixedPoint>(weight * FixedPointOne + 0.5f);
+}
+inline double FromFixedPoint(FixedPoint sum)
+{
+  return static_cast<double>(sum) / double{ FixedPointOne };
+}
+
+/// For weights that may be huge: 12 fraction bits hold 2^31 hits of weight 2^20.
+constexpr float CoarseFixedPointOne = 0x1p12f;
+inline FixedPoint ToCoarseFixedPoint(float weight)
+{
+  return static_cast<FixedPoint>(weight * CoarseFixedPointOne + 0.5f);
+}
+inline double FromCoarseFixedPoint(FixedPoint sum)
+{
+  return static_cast<double>(sum) / double{ CoarseFixedPointOne };
+}
+
+/// A vertex's raw illumination map, V_i of the paper times A_i for VertexNormalised, so that
+/// E_i = (flux / N) V_i / A_i holds for every registration.
+struct VertexSums
+{
+  FixedPoint direct = 0;
+  FixedPoint indirect = 0;
+};
+
+/// All that a set of photons leaves behind; sums of disjoint sets add up.
+struct IlluminationSums
+{
+  IlluminationSums() = default;
+  IlluminationSums(std::size_t vertices, std::size_t facets, bool backSide)
+    : front(vertices)
+    , back(backSide ? vertices : 0)
+    , frontHits(facets)
+  {
+  }
+
+  std::vector<VertexSums> front;
+  std::vector<VertexSums> back;         ///< Empty unless the back is registered.
+  std::vector<std::uint64_t> frontHits; ///< By facet.
+  /// Weight that the bound cut off, summed over vertices and both sides, coarse; times flux / N it
+  /// is in lm.
+  FixedPoint cutByWeightBound = 0;
+  PhotonBalance balance;
+};
+
+/// Adds `part` to `total` and clears it for the next use.
+void MoveInto(IlluminationSums& total, IlluminationSums& part);
+
+} // namespace PhotonTransport

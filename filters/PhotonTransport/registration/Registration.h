@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PhotonTransport/registration/IlluminationSums.h"
+#include "PhotonTransport/scene/Scene.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace PhotonTransport
+{
+
+/// A compensating factor before the bound never exceeds this, so that it stays countable.
+constexpr float LargestFactor = 0x1p20f;
+
+/// How a hit is spread over its facet's vertices. Formula numbers are those of Barladian,
+/// "Indirect illumination on curve surfaces".
+enum class Registration : int
+{
+  Flat = 0,            ///< Formula (1): as if the facets were the surface.
+  FacetRatio = 1,      ///< Formulas (2), (3): times cos to the smooth over cos to the flat normal.
+  VertexNormalised = 2 ///< Times cos to the vertex normal over the area the ring shows to the ray.
+};
+
+/// Area that the ring of `v` shows to light arriving from `towards`, over its whole area:
+/// sum (towards . a_f)^+ / sum |a_f|. Only grazing light needs the walk round the ring.
+inline float ShownArea(
+  const Scene& scene, std::uint32_t v, const glm::vec3& towards, float side)
+{
+  float sum = 0.0f;
+  for (const std::uint32_t f : scene.Rings().Of(v))
+  {
+    sum += std::max(0.0f, side * glm::dot(towards, scene.AreaVectors()[f]));
+  }
+  return sum * scene.Vertices()[v].inverseThreeAreas;
+}
+
+/// Weights of one hit for the three vertices of its facet, before the bound; each within
+/// [0, LargestFactor] times its barycentric coordinate. @param towards Unit, back along the ray. @param side +1 on the front, -1 on the back.
+template <Registration Kind>
+glm::vec3 HitWeights(const Scene& scene, const Facet& facet, const glm::vec3& barycentric,
+  const glm::vec3& towards, float side)
+{
+  if constexpr (Kind == Registration::Flat)
+  {
+    return barycentric;
+  }
+  else if constexpr (Kind == Registration::FacetRatio)
+  {
+    glm::vec3 smooth(0.0f);
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      smooth += barycentric[corner] * scene.Vertices()[facet.vertices[corner]].normal;
+    }
+    const float length = glm::length(smooth);
+    const float cosSmooth = side * glm::dot(towards, smooth);
+    if (!(cosSmooth > 0.0f && length > 0.0f))
+    {
+      return glm::vec3(0.0f);
+    }
+    const float cosFlat = std::max(0.0f, side * glm::dot(towards, facet.normal));
+    // Formula (2) as its text means it: the first s_norm is the smooth normal, the second the flat.
+    return std::min(cosSmooth / (length * cosFlat), LargestFactor) * barycentric;
+  }
+  else
+  {
+    glm::vec3 weights(0.0f);
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const std::uint32_t v = facet.vertices[corner];
+      const Vertex& vertex = scene.Vertices()[v];
+      const float cosine = side * glm::dot(towards, vertex.normal);
+      if (!(cosine > 0.0f))
+      {
+        continue;
+      }
+      const float shown = cosine >= vertex.sinTilt ? side * glm::dot(towards, vertex.shownArea)
+                                                   : ShownArea(scene, v, towards, side);
+      // The hit facet is in the ring, so only rounding at grazing incidence can bring this to 0.
+      weights[corner] =
+        barycentric[corner] * std::min(cosine / std::max(0.0f, shown), LargestFactor);
+    }
+    return weights;
+  }
+}
+
+/// Adds hits to one thread's sums.
+template <Registration Kind, bool BackSide>
+class Registrar
+{
+public:
+  /// @param weightBound Largest factor by which compensation may raise a hit; >= 1.
+  Registrar(const Scene& scene, float weightBound, IlluminationSums& sums)
+    : Surroundings(scene)
+    , WeightBound(weightBound)
+    , Sums(sums)
+  {
+  }
+
+  void operator()(const Ray& ray, const Hit& hit, bool front, bool direct) const
+  {
+    if (front)
+    {
+      ++this->Sums.frontHits[hit.facet];
+      this->Register(ray, hit, 1.0f, direct, this->Sums.front);
+    }
+    else if constexpr (BackSide)
+    {
+      this->Register(ray, hit, -1.0f, direct, this->Sums.back);
+    }
+  }
+
+private:
+  void Register(const Ray& ray, const Hit& hit, float side, bool direct,
+    std::vector<VertexSums>& map) const
+  {
+    const Facet& facet = this->Surroundings.Facets()[hit.facet];
+    const glm::vec3 weights =
+      HitWeights<Kind>(this->Surroundings, facet, hit.barycentric, -ray.direction, side);
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      float weight = weights[corner];
+      if constexpr (Kind != Registration::Flat)
+      {
+        const float most = this->WeightBound * hit.barycentric[corner];
+        if (weight > most)
+        {
+          this->Sums.cutByWeightBound += ToCoarseFixedPoint(weight - most);
+          weight = most;
+        }
+      }
+      VertexSums& vertex = map[facet.vertices[corner]];
+      (direct ? vertex.direct : vertex.indirect) += ToFixedPoint(weight);
+    }
+  }
+
+  const Scene& Surroundings;
+  float WeightBound;
+  IlluminationSums& Sums;
+};
+
+} // namespace PhotonTransport

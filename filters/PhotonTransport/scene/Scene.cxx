@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PhotonTransport/scene/Scene.h"
+
+#include "PhotonTransport/scene/InvalidInput.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace PhotonTransport
+{
+namespace
+{
+
+/// How far a ray starts above its facet, scene units: 32 units in the last place of a coordinate
+/// near 1. Points on a facet come from barycentric coordinates, which keeps them within about 3
+/// such units of its plane (Waechter and Binder, "A Fast and Robust Method for Avoiding
+/// Self-Intersection", Ray Tracing Gems, 2019, measure the same error and add a wide reserve).
+constexpr float OriginOffset = 0x1p-19f;
+
+/// How far from the facet's edges, in offsets. A start lifted off one wall of an acute corner would
+/// land behind the other wall if it were closer than offset * cot(angle): 4 serves down to 14
+/// degrees, where the plain offset lets rays out.
+constexpr float EdgeClearance = 4.0f * OriginOffset;
+
+/// Below this sine of the angle to its facets a vertex normal counts as theirs.
+constexpr float NoTilt = 1e-4f;
+
+/// Unit length, or zero for a normal that says nothing.
+glm::dvec3 UsableNormal(const glm::dvec3& normal)
+{
+  const double largest = std::max({ std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z) });
+  // max() may drop a NaN, the sum does not.
+  if (!(largest > 0.0) || !std::isfinite(normal.x + normal.y + normal.z))
+  {
+    return glm::dvec3(0.0);
+  }
+  return glm::normalize(normal / largest); // no overflow at 1e200, no underflow at 1e-200
+}
+
+std::vector<glm::vec3> ScenePositions(const Surface& surface, const Placement& placement)
+{
+  std::vector<glm::vec3> positions(surface.points.size(), glm::vec3(0.0f));
+  for (const glm::uvec3& facet : surface.facets)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      positions[facet[corner]] = glm::vec3(placement.PointToScene(surface.points[facet[corner]]));
+    }
+  }
+  return positions;
+}
+
+/// Smallest barycentric coordinate that keeps EdgeClearance from every edge.
+float EdgeMargin(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, double area)
+{
+  const double longest = std::max({ glm::length(b - a), glm::length(c - b), glm::length(a - c) });
+  const double smallestHeight = 2.0 * area / longest;
+  return static_cast<float>(std::min(1.0 / 3.0, EdgeClearance / smallestHeight));
+}
+
+} // namespace
+
+Scene::Scene(const Surface& surface)
+  : MetresPerUnit(surface.metresPerUnit)
+{
+  Validate(surface);
+  this->Place = FitPlacement(surface.points, surface.facets);
+  const std::vector<glm::vec3> positions = ScenePositions(surface, this->Place);
+  this->AddFacets(surface, positions);
+  this->AddVertices(surface, positions);
+  this->BuildBvh(positions);
+}
+
+void Scene::AddFacets(const Surface& surface, const std::vector<glm::vec3>& positions)
+{
+  this->FacetRecords.reserve(surface.facets.size());
+  this->FacetAreas.reserve(surface.facets.size());
+  const bool emits = std::any_of(surface.exitance.begin(), surface.exitance.end(),
+    [](float exitance) { return exitance > 0.0f; });
+  for (std::size_t f = 0; f < surface.facets.size(); ++f)
+  {
+    const glm::uvec3& ids = surface.facets[f];
+    // The rounded positions are the ones that photons hit, so areas and normals are theirs.
+    const glm::dvec3 a(positions[ids[0]]), b(positions[ids[1]]), c(positions[ids[2]]);
+    glm::dvec3 areaVector = 0.5 * glm::cross(b - a, c - a);
+    const double area = glm::length(areaVector);
+    if (!(area > 0.0))
+    {
+      ++this->Found.droppedFacets;
+      continue;
+    }
+    glm::dvec3 front(0.0);
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      front += UsableNormal(surface.normals[ids[corner]]);
+    }
+    if (glm::dot(front, areaVector) < 0.0)
+    {
+      areaVector = -areaVector;
+      ++this->Found.turnedFacets;
+    }
+    this->Found.reflectingFacets += surface.reflectance[f] > 0.0f;
+    this->FacetRecords.push_back({ ids, surface.reflectance[f], glm::vec3(areaVector / area),
+      EdgeMargin(a, b, c, area) });
+    this->FacetAreas.emplace_back(areaVector);
+    if (emits)
+    {
+      this->FacetExitance.push_back(surface.exitance[f]);
+    }
+  }
+  if (this->FacetRecords.empty())
+  {
+    throw InvalidInput(InvalidInput::Where::Surface, 0, "every triangle has zero area");
+  }
+}
+
+void Scene::AddVertices(const Surface& surface, const std::vector<glm::vec3>& positions)
+{
+  std::vector<glm::uvec3> kept;
+  kept.reserve(this->FacetRecords.size());
+  for (const Facet& facet : this->FacetRecords)
+  {
+    kept.push_back(facet.vertices);
+  }
+  this->VertexRings = FacetRings(positions.size(), kept);
+
+  this->VertexRecords.reserve(positions.size());
+  this->Areas.reserve(positions.size());
+  for (std::uint32_t v = 0; v < positions.size(); ++v)
+  {
+    this->VertexRecords.push_back(
+      this->MakeVertex(v, UsableNormal(surface.normals[v]), positions[v]));
+  }
+}
+
+Vertex Scene::MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const glm::vec3& position)
+{
+  glm::dvec3 areaVectors(0.0);
+  double areas = 0.0;
+  for (const std::uint32_t f : this->VertexRings.Of(v))
+  {
+    areaVectors += glm::dvec3(this->FacetAreas[f]);
+    areas += glm::length(glm::dvec3(this->FacetAreas[f]));
+  }
+  this->Areas.push_back(areas / 3.0 * this->SquareMetresPerSceneArea());
+  if (!(areas > 0.0))
+  {
+    return { position, glm::vec3(0.0f), glm::vec3(0.0f), 2.0f, 0.0f };
+  }
+
+  glm::dvec3 normal = givenNormal;
+  if (normal == glm::dvec3(0.0))
+  {
+    ++this->Found.replacedNormals;
+    normal = UsableNormal(areaVectors);
+  }
+  double leastCosine = 1.0;
+  for (const std::uint32_t f : this->VertexRings.Of(v))
+  {
+    leastCosine =
+      std::min(leastCosine, glm::dot(normal, glm::normalize(glm::dvec3(this->FacetAreas[f]))));
+  }
+  const double sinTilt =
+    leastCosine > 0.0 ? std::sqrt(std::max(0.0, 1.0 - leastCosine * leastCosine)) : 2.0;
+  this->Found.tiltedVertices += sinTilt > NoTilt;
+  return { position, glm::vec3(normal), glm::vec3(areaVectors / areas),
+    static_cast<float>(sinTilt), static_cast<float>(1.0 / areas) };
+}
+
+void Scene::BuildBvh(const std::vector<glm::vec3>& positions)
+{
+  std::vector<glm::uvec3> indices;
+  indices.reserve(this->FacetRecords.size());
+  for (const Facet& facet : this->FacetRecords)
+  {
+    indices.push_back(facet.vertices);
+  }
+  this->Bvh.emplace(positions, indices);
+}
+
+glm::vec3 Scene::SafeOrigin(const Facet& facet, const glm::vec3& barycentric, bool front) const
+{
+  glm::vec3 b = glm::max(barycentric, facet.margin);
+  b /= b.x + b.y + b.z;
+  const glm::vec3 point = b.x * this->VertexRecords[facet.vertices.x].position +
+    b.y * this->VertexRecords[facet.vertices.y].position +
+    b.z * this->VertexRecords[facet.vertices.z].position;
+  return point + (front ? OriginOffset : -OriginOffset) * facet.normal;
+}
+
+double Scene::SquareMetresPerSceneArea() const
+{
+  const double metres = this->MetresPerUnit / this->Place.scale;
+  return metres * metres;
+}
+
+} // namespace PhotonTransport

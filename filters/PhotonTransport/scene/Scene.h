@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PhotonTransport/geometry/FacetRings.h"
+#include "PhotonTransport/geometry/Placement.h"
+#include "PhotonTransport/scene/EmbreeScene.h"
+#include "PhotonTransport/scene/Surface.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace PhotonTransport
+{
+
+/// What the walk needs of a facet, in one half of a cache line.
+struct alignas(32) Facet
+{
+  glm::uvec3 vertices;
+  float reflectance;
+  glm::vec3 normal; ///< Unit, on the side of the vertex normals (the front).
+  /// Least barycentric coordinate at which a reflected ray may start; see SafeOrigin.
+  float margin;
+};
+
+/// What registration and reflection need of a vertex. Areas are in scene units.
+struct alignas(16) Vertex
+{
+  glm::vec3 position;
+  glm::vec3 normal; ///< Unit, as given, or the ring's where none of use was given.
+  /// Mean area vector over area, (1/3 sum a_f) / (1/3 sum |a_f|), over the ring.
+  glm::vec3 shownArea;
+  /// Sine of the largest angle between the normal and the ring's facet normals; 2 where that is
+  /// 90 degrees or more. Light with -w.n >= sinTilt meets every facet of the ring from the front.
+  float sinTilt;
+  float inverseThreeAreas; ///< 1 / sum |a_f|; 0 for a vertex without a facet.
+};
+
+/// What was found in the surface and mended while it was prepared.
+struct SceneNotes
+{
+  std::size_t turnedFacets = 0;    ///< Winding against the normals; turned for the sides.
+  std::size_t droppedFacets = 0;   ///< Zero area: they can't be hit.
+  std::size_t replacedNormals = 0; ///< Zero or not finite: the ring's mean normal instead.
+  std::size_t tiltedVertices = 0;  ///< Normal differs from some facet's around it.
+  std::size_t reflectingFacets = 0;
+};
+
+/// The validated, immutable scene: geometry in [-1, 1], per-facet and per-vertex records, BVH.
+class Scene
+{
+public:
+  /// Throws InvalidInput (see Validate) or std::runtime_error (Embree).
+  explicit Scene(const Surface& surface);
+
+  Hit Intersect(const Ray& ray) const { return this->Bvh->Intersect(ray); }
+
+  /// Where a ray starts that leaves the point `barycentric` of a facet on its front or back.
+  glm::vec3 SafeOrigin(const Facet& facet, const glm::vec3& barycentric, bool front) const;
+
+  const std::vector<Facet>& Facets() const { return this->FacetRecords; }
+  const std::vector<Vertex>& Vertices() const { return this->VertexRecords; }
+  const FacetRings& Rings() const { return this->VertexRings; }
+  /// Area vectors |a_f| n_f of the facets, scene units squared.
+  const std::vector<glm::vec3>& AreaVectors() const { return this->FacetAreas; }
+  /// lm/m^2 of each facet's front; empty if no facet emits.
+  const std::vector<float>& Exitance() const { return this->FacetExitance; }
+  /// A_i = 1/3 sum |a_f| over the ring, m^2.
+  const std::vector<double>& VertexAreas() const { return this->Areas; }
+  /// Scene area times this is in m^2.
+  double SquareMetresPerSceneArea() const;
+  const Placement& GetPlacement() const { return this->Place; }
+  const SceneNotes& Notes() const { return this->Found; }
+
+private:
+  void AddFacets(const Surface& surface, const std::vector<glm::vec3>& positions);
+  void AddVertices(const Surface& surface, const std::vector<glm::vec3>& positions);
+  Vertex MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const glm::vec3& position);
+  void BuildBvh(const std::vector<glm::vec3>& positions);
+
+  Placement Place;
+  double MetresPerUnit;
+  std::vector<Facet> FacetRecords;
+  std::vector<glm::vec3> FacetAreas;
+  std::vector<float> FacetExitance;
+  FacetRings VertexRings;
+  SceneNotes Found;
+  std::vector<double> Areas;
+  std::vector<Vertex> VertexRecords;
+  std::optional<EmbreeScene> Bvh;
+};
+
+} // namespace PhotonTransport

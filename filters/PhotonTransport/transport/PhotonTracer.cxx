@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PhotonTransport/transport/PhotonTracer.h"
+
+#include "PhotonTransport/transport/Walk.h"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+namespace PhotonTransport
+{
+namespace
+{
+
+/// Photons a thread takes at a time: under a millisecond, so that a stop is prompt.
+constexpr std::uint64_t BlockSize = 1024;
+
+struct Job
+{
+  const Scene& scene;
+  const Emitter& source;
+  SequenceKey key;
+  float weightBound;
+  std::uint32_t longestPath;
+};
+
+template <Registration Kind, bool Interreflection, bool BackSide>
+void TraceBlock(const Job& job, std::uint64_t first, std::uint64_t last, IlluminationSums& sums)
+{
+  const Registrar<Kind, BackSide> registrar(job.scene, job.weightBound, sums);
+  PhotonSample sample(job.key, first);
+  for (std::uint64_t photon = first; photon < last; ++photon)
+  {
+    WalkPhoton<Interreflection>(
+      job.scene, job.source.Emit(sample), sample, job.longestPath, registrar, sums.balance);
+    sample.Advance();
+  }
+}
+
+using BlockTracer = void (*)(const Job&, std::uint64_t, std::uint64_t, IlluminationSums&);
+
+template <Registration Kind>
+BlockTracer ChooseFor(const Effects& effects)
+{
+  if (effects.interreflection)
+  {
+    return effects.backSide ? TraceBlock<Kind, true, true> : TraceBlock<Kind, true, false>;
+  }
+  return effects.backSide ? TraceBlock<Kind, false, true> : TraceBlock<Kind, false, false>;
+}
+
+/// The walk compiled for just these effects.
+BlockTracer Choose(const Effects& effects)
+{
+  switch (effects.registration)
+  {
+    case Registration::Flat:
+      return ChooseFor<Registration::Flat>(effects);
+    case Registration::FacetRatio:
+      return ChooseFor<Registration::FacetRatio>(effects);
+    case Registration::VertexNormalised:
+      break;
+  }
+  return ChooseFor<Registration::VertexNormalised>(effects);
+}
+
+const TraceSettings& Validated(const TraceSettings& settings)
+{
+  Validate(settings);
+  return settings;
+}
+
+int ThreadCount(const TraceSettings& settings)
+{
+  return settings.threads > 0 ? settings.threads : tbb::info::default_concurrency();
+}
+
+} // namespace
+
+/// The threads, each with sums of its own: sharing one map by atomic additions costs 16 %.
+struct PhotonTracer::Workers
+{
+  explicit Workers(int threads)
+    : arena(threads)
+    , sums(static_cast<std::size_t>(threads))
+    // oneTBB by itself never runs more threads than there are cores.
+    , limit(tbb::global_control::max_allowed_parallelism,
+        std::max(static_cast<std::size_t>(threads),
+          tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)))
+  {
+  }
+
+  tbb::task_arena arena;
+  std::vector<IlluminationSums> sums;
+  tbb::global_control limit;
+};
+
+PhotonTracer::PhotonTracer(const Scene& scene, const Lamp& lamp, const TraceSettings& settings)
+  : Surroundings(scene)
+  , Settings(Validated(settings))
+  , Source(lamp, scene)
+  , Answer(AnalyseEffects(scene, settings))
+  , Pool(std::make_unique<Workers>(ThreadCount(settings)))
+{
+  for (IlluminationSums& sums : this->Pool->sums)
+  {
+    sums = this->EmptySums();
+  }
+}
+
+PhotonTracer::~PhotonTracer() = default;
+
+IlluminationSums PhotonTracer::EmptySums() const
+{
+  return { this->Surroundings.Vertices().size(), this->Surroundings.Facets().size(),
+    this->Settings.registerBackSide };
+}
+
+bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
+  IlluminationSums& sums, const Monitor& monitor)
+{
+  const Job job{ this->Surroundings, this->Source,
+    { this->Settings.seed, replicate, this->Settings.sampling }, this->Settings.weightBound,
+    this->Settings.interreflection ? this->Settings.maximumPathLength : 1u };
+  const BlockTracer traceBlock = Choose(this->Answer);
+  const std::uint64_t end = first + count;
+  std::atomic<bool> goOn{ true };
+  std::atomic<std::uint64_t> done{ 0 };
+  const std::thread::id caller = std::this_thread::get_id();
+
+  const auto work = [&](const tbb::blocked_range<std::uint64_t>& blocks) {
+    IlluminationSums& own =
+      this->Pool->sums[static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())];
+    for (std::uint64_t block = blocks.begin(); block < blocks.end() && goOn; ++block)
+    {
+      const std::uint64_t from = first + block * BlockSize;
+      const std::uint64_t to = std::min(end, from + BlockSize);
+      traceBlock(job, from, to, own);
+      done += to - from;
+      if (monitor && std::this_thread::get_id() == caller && !monitor(done))
+      {
+        goOn = false;
+      }
+    }
+  };
+  const std::uint64_t blocks = (count + BlockSize - 1) / BlockSize;
+  this->Pool->arena.execute([&] {
+    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, blocks), work);
+  });
+  for (IlluminationSums& own : this->Pool->sums)
+  {
+    MoveInto(sums, own);
+  }
+  return goOn;
+}
+
+} // namespace PhotonTransport

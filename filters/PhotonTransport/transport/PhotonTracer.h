@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PhotonTransport/effects/Effects.h"
+#include "PhotonTransport/lights/Emitter.h"
+#include "PhotonTransport/registration/IlluminationSums.h"
+#include "PhotonTransport/scene/Scene.h"
+#include "PhotonTransport/transport/TraceSettings.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace PhotonTransport
+{
+
+/// Called now and then from the thread that called Trace, with the photons that this call has
+/// traced so far; returns false to stop.
+using Monitor = std::function<bool(std::uint64_t photonsDone)>;
+
+/// Traces ranges of photons into sums, on several threads. The sums are a function of the ranges
+/// alone: same bits for any number of threads and any division of a range.
+class PhotonTracer
+{
+public:
+  /// Throws InvalidInput for settings or a lamp that make no sense.
+  /// @param scene Must outlive the tracer.
+  PhotonTracer(const Scene& scene, const Lamp& lamp, const TraceSettings& settings);
+  ~PhotonTracer();
+
+  /// Adds photons [first, first + count) of a replicate to `sums`. Stopped early, it adds those
+  /// that were traced (sums.balance.emitted tells how many) and returns false.
+  bool Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
+    IlluminationSums& sums, const Monitor& monitor = {});
+
+  IlluminationSums EmptySums() const;
+  double Flux() const { return this->Source.Flux(); }
+  const Effects& EffectsInUse() const { return this->Answer; }
+
+private:
+  struct Workers;
+  const Scene& Surroundings;
+  TraceSettings Settings;
+  Emitter Source;
+  Effects Answer;
+  std::unique_ptr<Workers> Pool;
+};
+
+} // namespace PhotonTransport

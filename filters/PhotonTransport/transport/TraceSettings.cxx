@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PhotonTransport/transport/TraceSettings.h"
+
+#include "PhotonTransport/scene/InvalidInput.h"
+
+namespace PhotonTransport
+{
+namespace
+{
+
+void Require(bool holds, const std::string& message)
+{
+  if (!holds)
+  {
+    throw InvalidInput(InvalidInput::Where::TraceSettings, 0, message);
+  }
+}
+
+} // namespace
+
+void Validate(const TraceSettings& settings)
+{
+  Require(settings.replicates >= 2,
+    "the number of replicates is " + std::to_string(settings.replicates) + "; it must be 2 or more");
+  // A vertex that every photon hits at full weight sums up to 2^33 of them.
+  constexpr std::uint64_t MostPhotons = 10'000'000'000u;
+  Require(settings.photons >= settings.replicates && settings.photons <= MostPhotons,
+    "the number of photons is " + std::to_string(settings.photons) + "; it must be between " +
+      std::to_string(settings.replicates) + " and " + std::to_string(MostPhotons));
+  Require(settings.weightBound >= 1.0f && settings.weightBound <= LargestFactor,
+    "the weight bound is " + std::to_string(settings.weightBound) +
+      "; it must be between 1 and 1048576");
+  Require(settings.maximumPathLength >= 1, "the maximum path length is 0; it must be 1 or more");
+  Require(settings.threads >= 0,
+    "the number of threads is " + std::to_string(settings.threads) + "; it must be 0 (all) or more");
+}
+
+} // namespace PhotonTransport
