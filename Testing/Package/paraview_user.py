@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""ParaView loads the plugin by itself from a folder on PV_PLUGIN_PATH; Python has the class."""
+from paraview.simple import *
+from vtkIllumination import vtkIlluminationMap
+
+illuminated = IlluminationMap(Input=Plane(), Photons=10000)
+illuminated.UpdatePipeline()
+assert isinstance(illuminated.GetClientSideObject(), vtkIlluminationMap)
+assert illuminated.GetProperty("Photons").GetData() == 10000

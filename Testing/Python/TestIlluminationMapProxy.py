@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The proxy is an ordinary one: properties reach the filter, domains offer what makes sense, and
+saved states bring it back as it was."""
+import os
+import tempfile
+
+from paraview import servermanager, simple, smstate
+from vtkIllumination import vtkIlluminationMap  # what GetClientSideObject returns
+
+PLUGIN = os.environ["ILLUMINATION_PLUGIN"]
+
+# A property's value in ParaView -> the filter's, where they differ.
+NOT_DEFAULT = {
+    "LampType": ("Disk", 5),
+    "LampPosition": [1.5, 2.5, 3.5],
+    "LampDirection": [1.0, 0.0, -1.0],
+    "LampSize": [0.5, 0.25],
+    "SpotHalfAngle": 45.0,
+    "SpotExponent": 2.0,
+    "LuminousFlux": 250.0,
+    "ParallelIlluminance": 300.0,
+    "ExitanceArray": "Grey",
+    "Reflectance": 0.25,
+    "ReflectanceArray": "Colour",
+    "Interreflection": (0, False),
+    "RegisterBackSide": (1, True),
+    "MetresPerUnit": 0.001,
+    "FeatureAngle": 60.0,
+    "Photons": 5000000000,  # more than fits in 32 bits
+    "Seed": 7,
+    "Registration": ("Facet Ratio", 1),
+    "Sampling": ("Random", 0),
+    "WeightBound": 8.0,
+    "MaximumPathLength": 100,
+    "NumberOfThreads": 1,
+}
+
+
+def proxy_value(name):
+    value = NOT_DEFAULT[name]
+    return value[0] if isinstance(value, tuple) else value
+
+
+def filter_value(name):
+    value = NOT_DEFAULT[name]
+    return value[1] if isinstance(value, tuple) else tuple(value) if isinstance(
+        value, list) else value
+
+
+def surface_with_cell_arrays():
+    source = simple.ProgrammableSource(OutputDataSetType="vtkPolyData")
+    source.Script = """
+import numpy
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+sphere = vtkSphereSource()
+sphere.Update()
+output.ShallowCopy(sphere.GetOutput())
+cells = output.GetNumberOfCells()
+output.CellData.append(numpy.full(cells, 0.25), "Grey")
+output.CellData.append(numpy.full((cells, 2), 0.25), "Two")
+output.CellData.append(numpy.full((cells, 3), 0.25), "Colour")
+"""
+    source.UpdatePipeline()
+    return source
+
+
+def changed_proxy():
+    proxy = IlluminationMap(registrationName="lit", Input=surface_with_cell_arrays())
+    for name in NOT_DEFAULT:
+        setattr(proxy, name, proxy_value(name))
+    proxy.UpdateVTKObjects()
+    return proxy
+
+
+def check_changed(proxy):
+    for name in NOT_DEFAULT:
+        get = getattr(proxy.GetClientSideObject(), "Get" + name)
+        assert get() == filter_value(name), (name, get())
+
+
+def test_each_property_is_documented_and_reaches_the_filter():
+    proxy = IlluminationMap(Input=surface_with_cell_arrays())
+    assert sorted(NOT_DEFAULT) == sorted(set(proxy.ListProperties()) - {"Input"})
+    for name in NOT_DEFAULT:
+        assert len(proxy.GetProperty(name).SMProperty.GetDocumentation().GetDescription()) > 40
+        assert getattr(proxy.GetClientSideObject(), "Get" + name)() != filter_value(name), name
+    check_changed(changed_proxy())
+
+
+def test_defaults_of_proxy_and_class_agree():
+    proxy = IlluminationMap(Input=surface_with_cell_arrays())
+    proxy.UpdateVTKObjects()
+    for name in NOT_DEFAULT:
+        by_proxy = getattr(proxy.GetClientSideObject(), "Get" + name)()
+        by_class = getattr(vtkIlluminationMap(), "Get" + name)()
+        # An array list has to name its empty choice; the class has no array by default.
+        assert by_proxy == by_class or (by_proxy, by_class or "") == ("None", ""), (
+            name, by_proxy, by_class)
+
+
+def test_array_lists_offer_cell_arrays_of_the_right_shape_and_none():
+    proxy = IlluminationMap(Input=surface_with_cell_arrays())
+    assert proxy.ReflectanceArray == proxy.ExitanceArray == "None"
+    assert list(proxy.GetProperty("ReflectanceArray").Available) == ["None", "Colour", "Grey"]
+    assert list(proxy.GetProperty("ExitanceArray").Available) == ["None", "Grey"]
+
+
+def test_none_means_no_array():
+    proxy = IlluminationMap(Input=surface_with_cell_arrays(), Photons=1000)
+    proxy.UpdatePipeline()
+    assert proxy.PointData.GetArray("Illuminance") is not None
+
+
+def accepted(source):
+    """Whether ParaView's menu offers the filter for this source."""
+    source.UpdatePipeline()
+    manager = servermanager.ProxyManager().SMProxyManager
+    input_property = manager.NewProxy("filters", "IlluminationMap").GetProperty("Input")
+    input_property.AddUncheckedInputConnection(source.SMProxy, 0)
+    return bool(input_property.IsInDomains())
+
+
+def test_menu_offers_the_filter_for_surfaces_alone_or_in_blocks():
+    sphere, volume = simple.Sphere(), simple.Wavelet()
+    assert accepted(sphere)
+    assert not accepted(volume)
+    assert accepted(simple.GroupDatasets(Input=[sphere, simple.Plane()]))
+    assert accepted(simple.GroupDatasets(Input=[sphere, volume]))
+    for kind in ("vtkPartitionedDataSet", "vtkPartitionedDataSetCollection"):
+        blocks = simple.ProgrammableSource(OutputDataSetType=kind)
+        index = "0" if kind == "vtkPartitionedDataSet" else "0, 0"
+        blocks.Script = f"""
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+sphere = vtkSphereSource()
+sphere.Update()
+output.SetPartition({index}, sphere.GetOutput())
+"""
+        assert accepted(blocks), kind
+
+
+def test_state_brings_everything_back():
+    changed_proxy()
+    with tempfile.TemporaryDirectory() as folder:
+        state = os.path.join(folder, "state.pvsm")
+        simple.SaveState(state)
+        simple.ResetSession()
+        simple.LoadState(state)
+    check_changed(simple.FindSource("lit"))
+
+
+def test_python_state_says_what_was_set():
+    changed_proxy()
+    script = smstate.get_state()
+    for name in NOT_DEFAULT:
+        assert f"lit.{name} = {proxy_value(name)!r}" in script, (name, script)
+
+
+if __name__ == "__main__":
+    for test_name, test in list(globals().items()):
+        if test_name.startswith("test_"):
+            print(test_name, flush=True)
+            simple.ResetSession()
+            simple.LoadPlugin(PLUGIN, ns=globals())
+            test()

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The layer rule: the core knows nothing of VTK, and one file of it knows Embree.
+file(GLOB_RECURSE files "${source}/filters/PhotonTransport/*.h" "${source}/filters/PhotonTransport/*.cxx")
+if (NOT files)
+  message(FATAL_ERROR "Found no files to check below ${source}/filters/PhotonTransport.")
+endif ()
+foreach (file IN LISTS files)
+  file(STRINGS "${file}" vtk REGEX "^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"]*/)?(vtk|pq)")
+  file(STRINGS "${file}" embree REGEX "^[ \t]*#[ \t]*include[ \t]*[<\"]embree")
+  if (file MATCHES "/scene/EmbreeScene\\.cxx$")
+    set(embree "")
+  endif ()
+  foreach (line IN LISTS vtk embree)
+    message(SEND_ERROR "${file}: ${line}")
+  endforeach ()
+endforeach ()
