@@ -20,15 +20,16 @@ function (illumination_install_package)
     FILE PhotonTransport-targets.cmake
     DESTINATION "${ILLUMINATION_CMAKE_DIR}")
   configure_package_config_file(
-    "${PROJECT_SOURCE_DIR}/cmake/IlluminationMaps-config.cmake.in"
-    "${CMAKE_CURRENT_BINARY_DIR}/IlluminationMaps-config.cmake"
+    "${PROJECT_SOURCE_DIR}/cmake/IlluminationMapsConfig.cmake.in"
+    "${CMAKE_CURRENT_BINARY_DIR}/IlluminationMapsConfig.cmake"
     INSTALL_DESTINATION "${ILLUMINATION_CMAKE_DIR}")
   write_basic_package_version_file(
-    "${CMAKE_CURRENT_BINARY_DIR}/IlluminationMaps-config-version.cmake"
+    "${CMAKE_CURRENT_BINARY_DIR}/IlluminationMapsConfigVersion.cmake"
     COMPATIBILITY SameMinorVersion) # before 1.0 a minor version may change names
   install(FILES
-    "${CMAKE_CURRENT_BINARY_DIR}/IlluminationMaps-config.cmake"
-    "${CMAKE_CURRENT_BINARY_DIR}/IlluminationMaps-config-version.cmake"
+    "${CMAKE_CURRENT_BINARY_DIR}/IlluminationMapsConfig.cmake"
+    "${CMAKE_CURRENT_BINARY_DIR}/IlluminationMapsConfigVersion.cmake"
+    "${PROJECT_SOURCE_DIR}/cmake/IlluminationFindVTK.cmake"
     DESTINATION "${ILLUMINATION_CMAKE_DIR}")
   install(FILES "${PROJECT_SOURCE_DIR}/LICENSE"
     DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/IlluminationMaps")
