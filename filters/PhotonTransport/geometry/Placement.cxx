@@ -31,8 +31,8 @@ Placement FitPlacement(const std::vector<glm::dvec3>& points, const std::vector<
   if (extent > 0.0)
   {
     int exponent = 0;
-    std::frexp(extent, &exponent); // extent <= 2^exponent
-    placement.scale = std::ldexp(1.0, -exponent);
+    const double mantissa = std::frexp(extent, &exponent); // in [0.5, 1)
+    placement.scale = std::ldexp(1.0, mantissa > 0.5 ? -exponent : 1 - exponent);
   }
   return placement;
 }

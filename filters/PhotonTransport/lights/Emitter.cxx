@@ -18,6 +18,9 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 
+/// Rounding of scene coordinates, with room to spare.
+constexpr double FloatSlack = 1e-6;
+
 /// Every point of the scene is within this distance of the scene's origin: sqrt(3), rounded up.
 constexpr double SceneRadius = 1.7321;
 
@@ -117,7 +120,6 @@ Circle BoundingCircle(const Scene& scene, const glm::dvec3& axis)
   {
     circle.centre += (farthest(circle.centre) - circle.centre) / (step + 1.0);
   }
-  constexpr double FloatSlack = 1e-6;
   circle.radius = glm::length(farthest(circle.centre) - circle.centre) + FloatSlack;
   return circle;
 }
@@ -218,10 +220,20 @@ Prepared Prepare(const EmittingFacets&, const Scene& scene)
 
 Prepared Prepare(const UniformSky& sky, const Scene& scene)
 {
+  double radius = 0.0;
+  for (const Vertex& vertex : scene.Vertices())
+  {
+    if (vertex.inverseThreeAreas > 0.0f)
+    {
+      radius = std::max(radius, glm::length(glm::dvec3(vertex.position)));
+    }
+  }
+  radius += FloatSlack;
   // Each direction sends L times the ball's cross-section; integrate over the solid angle.
-  const double crossSection = Pi * SceneRadius * SceneRadius * scene.SquareMetresPerSceneArea();
+  const double crossSection = Pi * radius * radius * scene.SquareMetresPerSceneArea();
   const double solidAngle = sky.wholeSphere ? 4.0 * Pi : 2.0 * Pi;
-  return { SkyEmitter{ FrameOf(CheckedDirection(sky.up)), sky.wholeSphere },
+  return { SkyEmitter{ FrameOf(CheckedDirection(sky.up)), sky.wholeSphere,
+             static_cast<float>(radius) },
     CheckedAmount(sky.luminance, "luminance") * crossSection * solidAngle };
 }
 
@@ -277,9 +289,8 @@ Ray SkyEmitter::Emit(const PhotonSample& sample) const
     from.z = std::fabs(from.z);
   }
   const Frame frame(this->up.ToWorld(from));
-  const auto radius = static_cast<float>(SceneRadius);
-  const glm::vec2 p = radius * ConcentricDisk(sample.Emission(0), sample.Emission(1));
-  return { p.x * frame.tangent + p.y * frame.bitangent + radius * frame.normal, -frame.normal };
+  const glm::vec2 p = this->radius * ConcentricDisk(sample.Emission(0), sample.Emission(1));
+  return { p.x * frame.tangent + p.y * frame.bitangent + this->radius * frame.normal, -frame.normal };
 }
 
 } // namespace PhotonTransport

@@ -54,6 +54,7 @@ struct SkyEmitter
 {
   Frame up;
   bool wholeSphere;
+  float radius; ///< Of the ball about the scene's origin that holds all facets.
   Ray Emit(const PhotonSample& sample) const;
 };
 

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/EmbreeScene.h"
 
-#if ILLUMINATION_EMBREE_VERSION >= 4
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
+#include "PhotonTransport/scene/EmbreeVersion.h"
 
 #include <algorithm>
 #include <cstring>
@@ -17,17 +13,6 @@ namespace PhotonTransport
 {
 namespace
 {
-
-void IntersectFirst(RTCScene scene, RTCRayHit& rayHit)
-{
-#if ILLUMINATION_EMBREE_VERSION >= 4
-  rtcIntersect1(scene, &rayHit, nullptr);
-#else
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene, &context, &rayHit);
-#endif
-}
 
 /// Embree reports through a callback; the first message is the one that explains.
 void KeepFirstMessage(void* message, RTCError, const char* text)

@@ -87,18 +87,18 @@ int ThreadCount(const TraceSettings& settings)
 struct PhotonTracer::Workers
 {
   explicit Workers(int threads)
-    : arena(threads)
-    , sums(static_cast<std::size_t>(threads))
     // oneTBB by itself never runs more threads than there are cores.
-    , limit(tbb::global_control::max_allowed_parallelism,
+    : limit(tbb::global_control::max_allowed_parallelism,
         std::max(static_cast<std::size_t>(threads),
           tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)))
+    , arena(threads)
+    , sums(static_cast<std::size_t>(threads))
   {
   }
 
+  tbb::global_control limit;
   tbb::task_arena arena;
   std::vector<IlluminationSums> sums;
-  tbb::global_control limit;
 };
 
 PhotonTracer::PhotonTracer(const Scene& scene, const Lamp& lamp, const TraceSettings& settings)

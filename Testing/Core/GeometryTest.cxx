@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PhotonTransport/geometry/FacetRings.h"
+#include "PhotonTransport/geometry/Frame.h"
+#include "PhotonTransport/geometry/Placement.h"
+#include "PhotonTransport/sampling/PhotonSample.h"
+#include "PhotonTransport/sampling/Warps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+using namespace PhotonTransport;
+
+namespace
+{
+
+/// Rounding of a few products of numbers up to 1, in units of float's last place.
+constexpr float FloatRounding = 8.0f * 0x1p-23f;
+
+} // namespace
+
+TEST(Frame, IsOrthonormalAndRightHandedForEveryNormal)
+{
+  PhotonSample sample({ 1, 0, Sampling::Random }, 0);
+  for (int i = 0; i < 10000; ++i, sample.Advance())
+  {
+    glm::vec3 normal = UniformSphere(sample.Emission(0), sample.Emission(1));
+    normal = i == 0 ? glm::vec3(0, 0, -1) : i == 1 ? glm::vec3(0, 0, 1) : glm::normalize(normal);
+    const Frame frame(normal);
+    EXPECT_NEAR(glm::dot(frame.tangent, frame.bitangent), 0.0f, FloatRounding);
+    EXPECT_NEAR(glm::dot(frame.tangent, normal), 0.0f, FloatRounding);
+    EXPECT_NEAR(glm::dot(frame.bitangent, normal), 0.0f, FloatRounding);
+    EXPECT_NEAR(glm::length(frame.tangent), 1.0f, FloatRounding);
+    EXPECT_NEAR(glm::dot(glm::cross(frame.tangent, frame.bitangent), normal), 1.0f, FloatRounding);
+  }
+}
+
+TEST(Placement, PutsTheBoxIntoTheUnitCubeByAPowerOfTwo)
+{
+  for (const double size : { 1e-6, 0.3, 1.0, 1e6 })
+  {
+    for (const double shift : { 0.0, 1e3, 1e7 })
+    {
+      const std::vector<glm::dvec3> points = { glm::dvec3(shift),
+        glm::dvec3(shift + size, shift, shift), glm::dvec3(shift, shift + 0.5 * size, shift),
+        glm::dvec3(1e300) };
+      const Placement placement = FitPlacement(points, { { 0, 1, 2 } });
+      int exponent = 0;
+      EXPECT_EQ(std::frexp(placement.scale, &exponent), 0.5);
+      const glm::dvec3 right = placement.PointToScene(points[1]);
+      EXPECT_LE(right.x, 1.0);
+      EXPECT_GT(right.x, 0.499); // at least half of the cube is used
+    }
+  }
+}
+
+TEST(Placement, OfASinglePointDoesNotScale)
+{
+  const Placement placement = FitPlacement({ glm::dvec3(3.0) }, { { 0, 0, 0 } });
+  EXPECT_EQ(placement.scale, 1.0);
+  EXPECT_EQ(placement.PointToScene(glm::dvec3(3.0)), glm::dvec3(0.0));
+}
+
+TEST(FacetRings, ListEachVertexsFacets)
+{
+  const FacetRings rings(5, { { 0, 1, 2 }, { 2, 1, 3 } });
+  const auto ring = [&](std::uint32_t v) {
+    return std::multiset<std::uint32_t>(rings.Of(v).begin(), rings.Of(v).end());
+  };
+  EXPECT_EQ(ring(0), (std::multiset<std::uint32_t>{ 0 }));
+  EXPECT_EQ(ring(1), (std::multiset<std::uint32_t>{ 0, 1 }));
+  EXPECT_EQ(ring(2), (std::multiset<std::uint32_t>{ 0, 1 }));
+  EXPECT_EQ(ring(3), (std::multiset<std::uint32_t>{ 1 }));
+  EXPECT_TRUE(ring(4).empty());
+}

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PhotonTransport/scene/InvalidInput.h"
+#include "PhotonTransport/statistics/ReplicateStatistics.h"
+#include "PhotonTransport/transport/IlluminationMap.h"
+#include "PhotonTransport/transport/PhotonTracer.h"
+
+#include "Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+using namespace PhotonTransport;
+using Shapes::Facing;
+
+namespace
+{
+
+Surface Room(float reflectance)
+{
+  return Shapes::WithReflectance(Shapes::RoomWithSphere(2000), reflectance);
+}
+
+const Lamp RoomLamp = PointLamp{ glm::dvec3(-1.0, 0.5, 0.8), 1000.0 };
+
+bool SameSums(const std::vector<VertexSums>& a, const std::vector<VertexSums>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](const VertexSums& x, const VertexSums& y) {
+      return x.direct == y.direct && x.indirect == y.indirect;
+    });
+}
+
+bool Same(const IlluminationSums& a, const IlluminationSums& b)
+{
+  return SameSums(a.front, b.front) && SameSums(a.back, b.back) && a.frontHits == b.frontHits &&
+    a.cutByWeightBound == b.cutByWeightBound && a.balance.emitted == b.balance.emitted &&
+    a.balance.absorbed == b.balance.absorbed && a.balance.segments == b.balance.segments;
+}
+
+void ExpectBalanced(const PhotonBalance& balance)
+{
+  EXPECT_EQ(balance.emitted, balance.absorbed + balance.escaped + balance.cutOff);
+}
+
+} // namespace
+
+TEST(ReplicateStatistics, GivesTheTextbookStandardError)
+{
+  ReplicateStatistics statistics;
+  for (const double value : { 1.0, 2.0, 4.0, 5.0 })
+  {
+    statistics.Add(value, 100.0);
+  }
+  statistics.Add(1e9, 0.0); // emitted nothing: no evidence
+  EXPECT_DOUBLE_EQ(statistics.Mean(), 3.0);
+  EXPECT_DOUBLE_EQ(statistics.StandardError(), std::sqrt((4.0 + 1.0 + 1.0 + 4.0) / 3.0 / 4.0));
+}
+
+TEST(ReplicateStatistics, WeighsReplicatesByTheirPhotons)
+{
+  ReplicateStatistics statistics;
+  statistics.Add(1.0, 300.0);
+  statistics.Add(5.0, 100.0);
+  EXPECT_DOUBLE_EQ(statistics.Mean(), 2.0);
+  EXPECT_DOUBLE_EQ(statistics.StandardError(), std::sqrt((300.0 * 1.0 + 100.0 * 9.0) / 400.0));
+}
+
+class EveryRegistration : public testing::TestWithParam<Registration>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Transport, EveryRegistration,
+  testing::Values(Registration::Flat, Registration::FacetRatio, Registration::VertexNormalised));
+
+TEST_P(EveryRegistration, ThreadsDoNotChangeABit)
+{
+  const Scene scene(Room(0.6f));
+  TraceSettings settings;
+  settings.registration = GetParam();
+  settings.registerBackSide = true;
+  settings.threads = 1;
+  PhotonTracer alone(scene, RoomLamp, settings);
+  IlluminationSums expected = alone.EmptySums();
+  alone.Trace(0, 0, 50000, expected);
+  ExpectBalanced(expected.balance);
+  EXPECT_GT(expected.balance.segments, 100000u);
+  for (const int threads : { 2, 3, 8 })
+  {
+    settings.threads = threads;
+    PhotonTracer tracer(scene, RoomLamp, settings);
+    IlluminationSums sums = tracer.EmptySums();
+    tracer.Trace(0, 0, 50000, sums);
+    EXPECT_TRUE(Same(sums, expected)) << threads << " threads";
+  }
+}
+
+TEST_P(EveryRegistration, DividingARangeDoesNotChangeABit)
+{
+  const Scene scene(Room(0.6f));
+  TraceSettings settings;
+  settings.registration = GetParam();
+  PhotonTracer tracer(scene, RoomLamp, settings);
+  IlluminationSums whole = tracer.EmptySums();
+  IlluminationSums parts = tracer.EmptySums();
+  tracer.Trace(3, 0, 30000, whole);
+  tracer.Trace(3, 17000, 13000, parts);
+  tracer.Trace(3, 0, 17000, parts);
+  EXPECT_TRUE(Same(whole, parts));
+}
+
+TEST(Transport, ReplicatesAndSeedsAreIndependent)
+{
+  const Scene scene(Room(0.6f));
+  PhotonTracer tracer(scene, RoomLamp, TraceSettings());
+  TraceSettings other;
+  other.seed = 2;
+  PhotonTracer otherTracer(scene, RoomLamp, other);
+  IlluminationSums a = tracer.EmptySums(), b = a, c = a;
+  tracer.Trace(0, 0, 5000, a);
+  tracer.Trace(1, 0, 5000, b);
+  otherTracer.Trace(0, 0, 5000, c);
+  EXPECT_FALSE(SameSums(a.front, b.front));
+  EXPECT_FALSE(SameSums(a.front, c.front));
+}
+
+// Without reflecting facets the walk has no bounce; the result must be that of the general walk.
+TEST(Transport, WalkWithoutBouncesGivesTheSameBits)
+{
+  const Scene black(Room(0.0f));
+  Surface almostBlack = Room(0.0f);
+  almostBlack.reflectance[0] = 1e-30f; // calls for the general walk, reflects nothing
+  const Scene general(almostBlack);
+  PhotonTracer special(black, RoomLamp, TraceSettings());
+  PhotonTracer full(general, RoomLamp, TraceSettings());
+  EXPECT_FALSE(special.EffectsInUse().interreflection);
+  EXPECT_TRUE(full.EffectsInUse().interreflection);
+  IlluminationSums a = special.EmptySums(), b = full.EmptySums();
+  special.Trace(0, 0, 20000, a);
+  full.Trace(0, 0, 20000, b);
+  EXPECT_TRUE(Same(a, b));
+}
+
+// Registering the back must not change the front.
+TEST(Transport, BackSideDoesNotChangeTheFront)
+{
+  const Scene scene(Room(0.5f));
+  TraceSettings settings;
+  PhotonTracer frontOnly(scene, RoomLamp, settings);
+  settings.registerBackSide = true;
+  PhotonTracer both(scene, RoomLamp, settings);
+  IlluminationSums a = frontOnly.EmptySums(), b = both.EmptySums();
+  frontOnly.Trace(0, 0, 20000, a);
+  both.Trace(0, 0, 20000, b);
+  EXPECT_TRUE(SameSums(a.front, b.front));
+}
+
+TEST(Transport, InterreflectionSwitchedOffCountsWhatItCutOff)
+{
+  const Scene scene(Room(0.5f));
+  TraceSettings settings;
+  settings.photons = 100000;
+  settings.interreflection = false;
+  const IlluminationMap map = TraceIlluminationMap(scene, RoomLamp, settings);
+  ExpectBalanced(map.balance);
+  EXPECT_EQ(map.balance.segments, map.balance.emitted);
+  // Half of the photons survive their first hit: a binomial, 4 standard deviations.
+  EXPECT_NEAR(static_cast<double>(map.balance.cutOff), 50000.0, 4.0 * std::sqrt(25000.0));
+  for (const double indirect : map.front.indirect)
+  {
+    EXPECT_EQ(indirect, 0.0);
+  }
+}
+
+TEST(Transport, PathLengthLimitIsCounted)
+{
+  const Scene scene(Room(1.0f)); // nothing absorbs: only the limit ends a photon
+  TraceSettings settings;
+  settings.photons = 1000;
+  settings.maximumPathLength = 50;
+  const IlluminationMap map = TraceIlluminationMap(scene, RoomLamp, settings);
+  EXPECT_EQ(map.balance.cutOff, 1000u);
+  EXPECT_EQ(map.balance.segments, 50000u);
+  ExpectBalanced(map.balance);
+}
+
+// A stopped run is a valid map of the photons it traced.
+TEST(Transport, StoppedRunIsAValidMap)
+{
+  const Scene scene(Room(0.0f));
+  TraceSettings settings;
+  settings.photons = 100'000'000;
+  settings.registration = Registration::Flat;
+  double reached = 0.0;
+  const IlluminationMap map =
+    TraceIlluminationMap(scene, RoomLamp, settings, [&](double fraction) {
+      EXPECT_GE(fraction, reached);
+      reached = fraction;
+      return fraction < 0.002;
+    });
+  EXPECT_FALSE(map.complete);
+  EXPECT_GE(map.balance.emitted, 100'000u);
+  EXPECT_LT(map.balance.emitted, 10'000'000u);
+  ExpectBalanced(map.balance);
+  // Every photon lands on a front of the closed room or on the sphere in it, so sum A E = flux.
+  double flux = 0.0;
+  for (std::size_t v = 0; v < scene.VertexAreas().size(); ++v)
+  {
+    flux += scene.VertexAreas()[v] * map.front.direct[v];
+  }
+  EXPECT_NEAR(flux, 1000.0, 1000.0 * 1e-6); // fixed-point and float weights
+}
+
+TEST(Transport, RefusesSettingsThatMakeNoSense)
+{
+  const Scene scene(Room(0.5f));
+  const auto refused = [&](const auto& spoil) {
+    TraceSettings settings;
+    spoil(settings);
+    EXPECT_THROW(PhotonTracer(scene, RoomLamp, settings), InvalidInput);
+  };
+  refused([](TraceSettings& s) { s.photons = 0; });
+  refused([](TraceSettings& s) { s.photons = 20'000'000'000u; });
+  refused([](TraceSettings& s) { s.replicates = 1; });
+  refused([](TraceSettings& s) { s.weightBound = 0.5f; });
+  refused([](TraceSettings& s) { s.weightBound = std::nanf(""); });
+  refused([](TraceSettings& s) { s.maximumPathLength = 0; });
+  refused([](TraceSettings& s) { s.threads = -1; });
+}
+
+TEST(Effects, SayWhatIsOnAndWhy)
+{
+  const Scene scene(Room(0.5f));
+  TraceSettings settings;
+  settings.registration = Registration::Flat;
+  const Effects effects = AnalyseEffects(scene, settings);
+  ASSERT_EQ(effects.reasons.size(), 3u);
+  EXPECT_EQ(effects.reasons[0], "compensation: off, flat registration was chosen");
+  EXPECT_EQ(effects.reasons[1].rfind("interreflection: on, ", 0), 0u);
+  EXPECT_EQ(effects.reasons[2], "back side: off, its registration was not asked for");
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one place for differences between Embree 3.13 and 4. Not for other headers to include: the
+// core shows no Embree to its users.
+#pragma once
+
+#if ILLUMINATION_EMBREE_VERSION >= 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+namespace PhotonTransport
+{
+
+inline void IntersectFirst(RTCScene scene, RTCRayHit& rayHit)
+{
+#if ILLUMINATION_EMBREE_VERSION >= 4
+  rtcIntersect1(scene, &rayHit, nullptr);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, &rayHit);
+#endif
+}
+
+} // namespace PhotonTransport
