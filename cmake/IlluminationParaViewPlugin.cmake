@@ -27,3 +27,6 @@ paraview_plugin_build(
   LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
   PLUGINS_FILE_NAME illumination.plugins.xml
   DISABLE_XML_DOCUMENTATION ${illumination_no_help_pages})
+
+# ParaView looks for plugins that it was not built with only where it is told to.
+install(CODE "message(STATUS \"ParaView loads the plugin at start with PV_PLUGIN_PATH=\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/IlluminationMaps\")")
