@@ -26,7 +26,7 @@ NOT_DEFAULT = {
     "RegisterBackSide": (1, True),
     "MetresPerUnit": 0.001,
     "FeatureAngle": 60.0,
-    "Photons": 5000000000,  # more than fits in 32 bits
+    "Photons": 2000000000,
     "Seed": 7,
     "Registration": ("Facet Ratio", 1),
     "Sampling": ("Random", 0),
