@@ -8,7 +8,7 @@ say() { printf '\n== %s\n' "$*"; }
 illumination_packages=(
   g++ cmake ninja-build
   libembree-dev libglm-dev libtbb-dev
-  libgtest-dev libbenchmark-dev
+  libgtest-dev
   paraview-dev python3-paraview python3-dev python3-numpy
   libopenmpi-dev libdouble-conversion-dev libexpat1-dev libfreetype-dev liblz4-dev liblzma-dev
   libutfcpp-dev
@@ -29,16 +29,17 @@ install_packages() {
   done
   [ ${#missing[@]} -gt 0 ] || return 0
   say "Installing ${missing[*]}"
-  local root=()
+  local root=() log
   [ "$(id -u)" = 0 ] || root=(sudo)
+  log=$(mktemp)
   "${root[@]}" apt-get update -q
   for name in "${illumination_optional_packages[@]}"; do
     is_installed "$name" || ! apt-cache show "$name" >/dev/null 2>&1 || missing+=("$name")
   done
   "${root[@]}" env DEBIAN_FRONTEND=noninteractive \
-    apt-get install -q -y --no-install-recommends "${missing[@]}" >apt.log 2>&1 ||
-    { cat apt.log; return 1; }
-  rm -f apt.log
+    apt-get install -q -y --no-install-recommends "${missing[@]}" >"$log" 2>&1 ||
+    { cat "$log"; return 1; }
+  rm -f "$log"
 }
 
 # build PRESET [TARGET...]: configures build/PRESET the first time (ninja sees to later changes)
