@@ -3,7 +3,7 @@
 include(IlluminationFindVTK)
 
 set(illumination_vtk_components
-  CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral FiltersSources TestingCore)
+  CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral FiltersSources IOXML TestingCore)
 if (ILLUMINATION_WRAP_PYTHON)
   list(APPEND illumination_vtk_components Python WrappingPythonCore)
 endif ()

@@ -77,7 +77,9 @@ TEST(Emitter, ParallelLightStartsFromTheScenesShadow)
   int missed = 0;
   ForPhotons(emitter, 1 << 14, [&](const Ray& ray) {
     EXPECT_NEAR(glm::dot(glm::dvec3(ray.direction), glm::normalize(direction)), 1.0, 1e-6);
-    missed += !scene.Intersect(ray);
+    Hit hit;
+    scene.Intersect(&ray, &hit, 1);
+    missed += !hit;
   });
   EXPECT_LT(missed, (1 << 14) / 30);
 }

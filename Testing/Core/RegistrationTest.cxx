@@ -156,10 +156,10 @@ TEST(Registrar, CutsAtTheBoundAndReportsTheRest)
   const float m = glm::dot(-ray.direction, smooth) / glm::dot(-ray.direction, facet.normal);
   ASSERT_GT(m, 100.0f);
 
-  IlluminationSums sums(scene.Vertices().size(), scene.Facets().size(), false);
+  IlluminationSums sums(scene.Vertices().size(), false);
   const Registrar<Registration::FacetRatio, false> registrar(scene, 16.0f, sums);
   registrar(ray, { f, barycentric }, true, true);
   EXPECT_NEAR(FromFixedPoint(sums.front[facet.vertices.x].direct), 16.0, 1e-4);
   EXPECT_NEAR(FromCoarseFixedPoint(sums.cutByWeightBound), m - 16.0, 1e-3 * m);
-  EXPECT_EQ(sums.frontHits[f], 1u);
+  EXPECT_EQ(sums.front[facet.vertices.x].hits, 1u);
 }

@@ -125,8 +125,8 @@ TEST(PhotonSample, IsAFunctionOfTheIndexAlone)
       {
         EXPECT_EQ(walking.EmissionBits(d), jumped.EmissionBits(d));
       }
-      EXPECT_EQ(walking.Scattering(0).survival, jumped.Scattering(0).survival);
-      EXPECT_EQ(walking.Scattering(3).survival, jumped.Scattering(3).survival);
+      EXPECT_EQ(walking.Scatterings().At(0).survival, jumped.Scatterings().At(0).survival);
+      EXPECT_EQ(walking.Scatterings().At(3).survival, jumped.Scatterings().At(3).survival);
     }
   }
 }
@@ -136,9 +136,9 @@ TEST(PhotonSample, SeedsReplicatesAndOrdersDiffer)
   const PhotonSample base({ 1, 0, Sampling::Sobol }, 99);
   EXPECT_NE(base.EmissionBits(0), PhotonSample({ 2, 0, Sampling::Sobol }, 99).EmissionBits(0));
   EXPECT_NE(base.EmissionBits(0), PhotonSample({ 1, 1, Sampling::Sobol }, 99).EmissionBits(0));
-  EXPECT_NE(base.Scattering(1).survival, base.Scattering(2).survival);
-  EXPECT_NE(base.Scattering(1).survival,
-    PhotonSample({ 1, 1, Sampling::Sobol }, 99).Scattering(1).survival);
+  EXPECT_NE(base.Scatterings().At(1).survival, base.Scatterings().At(2).survival);
+  EXPECT_NE(base.Scatterings().At(1).survival,
+    PhotonSample({ 1, 1, Sampling::Sobol }, 99).Scatterings().At(1).survival);
 }
 
 // Joint uniformity of what one scattering uses, for independent numbers and for later scatterings.
@@ -150,7 +150,7 @@ TEST(PhotonSample, RandomNumbersFillTheSquare)
     std::vector<int> counts(32 * 32, 0);
     for (int i = 0; i < 200000; ++i, sample.Advance())
     {
-      const ScatteringSample s = sample.Scattering(order);
+      const ScatteringSample s = sample.Scatterings().At(order);
       ++counts[static_cast<std::size_t>(s.u * 32.0f) * 32 + static_cast<std::size_t>(s.v * 32.0f)];
     }
     ExpectUniform(counts);

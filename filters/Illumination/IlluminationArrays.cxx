@@ -156,7 +156,7 @@ void AddPointArrays(vtkPolyData* output, const SceneBlock& block,
   }
   std::vector<std::uint64_t> hits(total.size(), 0);
   mapping.ForEach(
-    [&](std::size_t vertex, std::size_t point) { hits[point] += map.photonHits[vertex]; });
+    [&](std::size_t vertex, std::size_t point) { hits[point] += map.front.photonHits[vertex]; });
   AddArray(arrays, "PhotonHits", hits);
   arrays->SetActiveScalars("Illuminance");
 }

@@ -37,26 +37,33 @@ inline double FromCoarseFixedPoint(FixedPoint sum)
 
 /// A vertex's raw illumination map, V_i of the paper times A_i for VertexNormalised, so that
 /// E_i = (flux / N) V_i / A_i holds for every registration.
-struct VertexSums
+struct alignas(32) VertexSums
 {
   FixedPoint direct = 0;
   FixedPoint indirect = 0;
+  std::uint64_t hits = 0; ///< On the facets around the vertex.
+
+  VertexSums& operator+=(const VertexSums& other)
+  {
+    this->direct += other.direct;
+    this->indirect += other.indirect;
+    this->hits += other.hits;
+    return *this;
+  }
 };
 
 /// All that a set of photons leaves behind; sums of disjoint sets add up.
 struct IlluminationSums
 {
   IlluminationSums() = default;
-  IlluminationSums(std::size_t vertices, std::size_t facets, bool backSide)
+  IlluminationSums(std::size_t vertices, bool backSide)
     : front(vertices)
     , back(backSide ? vertices : 0)
-    , frontHits(facets)
   {
   }
 
   std::vector<VertexSums> front;
-  std::vector<VertexSums> back;         ///< Empty unless the back is registered.
-  std::vector<std::uint64_t> frontHits; ///< By facet.
+  std::vector<VertexSums> back; ///< Empty unless the back is registered.
   /// Weight that the bound cut off, summed over vertices and both sides, coarse; times flux / N it
   /// is in lm.
   FixedPoint cutByWeightBound = 0;

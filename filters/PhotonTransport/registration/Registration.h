@@ -103,12 +103,25 @@ public:
   {
     if (front)
     {
-      ++this->Sums.frontHits[hit.facet];
       this->Register(ray, hit, 1.0f, direct, this->Sums.front);
     }
     else if constexpr (BackSide)
     {
       this->Register(ray, hit, -1.0f, direct, this->Sums.back);
+    }
+  }
+
+  /// Brings what operator() will need of a hit into the cache.
+  void Prefetch(const Hit& hit) const
+  {
+    if (hit)
+    {
+      const Facet& facet = this->Surroundings.Facets()[hit.facet];
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        this->Surroundings.PrefetchVertex(facet.vertices[corner]);
+        __builtin_prefetch(&this->Sums.front[facet.vertices[corner]], 1);
+      }
     }
   }
 
@@ -133,6 +146,7 @@ private:
       }
       VertexSums& vertex = map[facet.vertices[corner]];
       (direct ? vertex.direct : vertex.indirect) += ToFixedPoint(weight);
+      ++vertex.hits;
     }
   }
 

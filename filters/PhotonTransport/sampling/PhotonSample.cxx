@@ -19,6 +19,7 @@ void PhotonSample::StartSequence()
     return;
   }
   this->Point = SobolPointAt(static_cast<std::uint32_t>(this->Index));
+  constexpr std::uint32_t ScrambleStream = 0x4f77656eu;
   // Past 2^32 photons another, independently scrambled sequence begins.
   const auto sequence = static_cast<std::uint32_t>(this->Index >> 32);
   for (std::uint32_t d = 0; d < SobolDimensions; ++d)
@@ -31,8 +32,8 @@ void PhotonSample::StartSequence()
 void PhotonSample::DrawPoint()
 {
   // Blocks that no scattering order reaches.
-  const auto low = this->Random(0xfffffffeu);
-  const auto high = this->Random(0xffffffffu);
+  const auto low = PhotonRandom(this->Key, this->Index, 0xfffffffeu);
+  const auto high = PhotonRandom(this->Key, this->Index, 0xffffffffu);
   for (unsigned d = 0; d < 4; ++d)
   {
     this->Point[d] = low[d];

@@ -22,13 +22,6 @@ inline float UnitFloat(std::uint32_t bits)
   return static_cast<float>(bits >> 8) * 0x1p-24f;
 }
 
-/// The numbers that decide one scattering.
-struct ScatteringSample
-{
-  std::uint32_t survival; ///< Compared with reflectance * 2^32.
-  float u, v;             ///< Direction, each in [0, 1).
-};
-
 /// Which independent sequence of photons: everything that is random is a function of this and of
 /// the photon's index.
 struct SequenceKey
@@ -36,6 +29,42 @@ struct SequenceKey
   std::uint32_t seed = 1;
   std::uint32_t replicate = 0;
   Sampling sampling = Sampling::Sobol;
+};
+
+/// Block number `block` of a photon's random numbers.
+inline std::array<std::uint32_t, 4> PhotonRandom(
+  const SequenceKey& key, std::uint64_t photonIndex, std::uint32_t block)
+{
+  constexpr std::uint32_t PhotonStream = 0x50686f74u; // apart from the scrambling seeds
+  return Philox({ static_cast<std::uint32_t>(photonIndex),
+                  static_cast<std::uint32_t>(photonIndex >> 32), block, key.replicate },
+    { key.seed, PhotonStream });
+}
+
+/// The numbers that decide one scattering.
+struct ScatteringSample
+{
+  std::uint32_t survival; ///< Compared with reflectance * 2^32.
+  float u, v;             ///< Direction, each in [0, 1).
+};
+
+/// The numbers that decide all the scatterings of one photon.
+struct ScatteringNumbers
+{
+  SequenceKey key;
+  std::uint64_t photonIndex;
+  ScatteringSample first;
+
+  /// Of scattering `order`; 0 is the photon's first.
+  ScatteringSample At(std::uint32_t order) const
+  {
+    if (order == 0)
+    {
+      return this->first;
+    }
+    const std::array<std::uint32_t, 4> bits = PhotonRandom(this->key, this->photonIndex, order);
+    return { bits[0], UnitFloat(bits[1]), UnitFloat(bits[2]) };
+  }
 };
 
 /// All the random numbers of consecutive photons, one photon at a time.
@@ -53,15 +82,10 @@ public:
   /// The same as a 32-bit fraction, for choosing among many.
   std::uint32_t EmissionBits(unsigned d) const { return this->Leading(d); }
 
-  /// The numbers of scattering `order` (0 is the photon's first).
-  ScatteringSample Scattering(std::uint32_t order) const
+  ScatteringNumbers Scatterings() const
   {
-    if (order == 0)
-    {
-      return { this->Leading(5), UnitFloat(this->Leading(6)), UnitFloat(this->Leading(7)) };
-    }
-    const std::array<std::uint32_t, 4> bits = this->Random(order);
-    return { bits[0], UnitFloat(bits[1]), UnitFloat(bits[2]) };
+    return { this->Key, this->Index,
+      { this->Leading(5), UnitFloat(this->Leading(6)), UnitFloat(this->Leading(7)) } };
   }
 
 private:
@@ -71,18 +95,8 @@ private:
       ? OwenScramble(this->Point[dimension], this->Scrambles[dimension])
       : this->Point[dimension];
   }
-  std::array<std::uint32_t, 4> Random(std::uint32_t block) const
-  {
-    return Philox({ static_cast<std::uint32_t>(this->Index),
-                    static_cast<std::uint32_t>(this->Index >> 32), block, this->Key.replicate },
-      { this->Key.seed, PhotonStream });
-  }
   void StartSequence();
   void DrawPoint();
-
-  /// Second word of the Philox key: keeps photons' numbers apart from scrambling seeds.
-  static constexpr std::uint32_t PhotonStream = 0x50686f74u;
-  static constexpr std::uint32_t ScrambleStream = 0x4f77656eu;
 
   SequenceKey Key;
   std::uint64_t Index;

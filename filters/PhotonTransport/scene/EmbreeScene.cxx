@@ -36,6 +36,54 @@ void ShareBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
   }
 }
 
+constexpr std::size_t PacketSize = 8;
+
+void LoadRay(RTCRayHit8& packet, std::size_t lane, const Ray& ray)
+{
+  packet.ray.org_x[lane] = ray.origin.x;
+  packet.ray.org_y[lane] = ray.origin.y;
+  packet.ray.org_z[lane] = ray.origin.z;
+  packet.ray.dir_x[lane] = ray.direction.x;
+  packet.ray.dir_y[lane] = ray.direction.y;
+  packet.ray.dir_z[lane] = ray.direction.z;
+  packet.ray.tnear[lane] = 0.0f;
+  packet.ray.tfar[lane] = std::numeric_limits<float>::infinity();
+  packet.ray.time[lane] = 0.0f;
+  packet.ray.mask[lane] = 0xffffffffu;
+  packet.ray.id[lane] = 0;
+  packet.ray.flags[lane] = 0;
+  packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+  packet.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+}
+
+Hit StoredHit(const RTCRayHit8& packet, std::size_t lane)
+{
+  if (packet.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID)
+  {
+    return Hit();
+  }
+  // Rounding may put a hit on an edge just outside the facet.
+  const float u = std::clamp(packet.hit.u[lane], 0.0f, 1.0f);
+  const float v = std::clamp(packet.hit.v[lane], 0.0f, 1.0f - u);
+  return { packet.hit.primID[lane], { 1.0f - u - v, u, v } };
+}
+
+void IntersectPacket(RTCScene scene, const Ray* rays, Hit* hits, std::size_t count)
+{
+  alignas(32) int valid[PacketSize] = {};
+  RTCRayHit8 packet;
+  for (std::size_t lane = 0; lane < count; ++lane)
+  {
+    valid[lane] = -1;
+    LoadRay(packet, lane, rays[lane]);
+  }
+  IntersectFirst(scene, valid, packet);
+  for (std::size_t lane = 0; lane < count; ++lane)
+  {
+    hits[lane] = StoredHit(packet, lane);
+  }
+}
+
 } // namespace
 
 struct EmbreeScene::Implementation
@@ -89,35 +137,13 @@ EmbreeScene::~EmbreeScene() = default;
 EmbreeScene::EmbreeScene(EmbreeScene&&) noexcept = default;
 EmbreeScene& EmbreeScene::operator=(EmbreeScene&&) noexcept = default;
 
-Hit EmbreeScene::Intersect(const Ray& ray) const
+void EmbreeScene::Intersect(const Ray* rays, Hit* hits, std::size_t count) const
 {
-  RTCRayHit rayHit;
-  rayHit.ray.org_x = ray.origin.x;
-  rayHit.ray.org_y = ray.origin.y;
-  rayHit.ray.org_z = ray.origin.z;
-  rayHit.ray.dir_x = ray.direction.x;
-  rayHit.ray.dir_y = ray.direction.y;
-  rayHit.ray.dir_z = ray.direction.z;
-  rayHit.ray.tnear = 0.0f;
-  rayHit.ray.tfar = std::numeric_limits<float>::infinity();
-  rayHit.ray.time = 0.0f;
-  rayHit.ray.mask = 0xffffffffu;
-  rayHit.ray.id = 0;
-  rayHit.ray.flags = 0;
-  rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rayHit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  IntersectFirst(this->Impl->scene, rayHit);
-
-  Hit hit;
-  if (rayHit.hit.geomID != RTC_INVALID_GEOMETRY_ID)
+  for (std::size_t first = 0; first < count; first += PacketSize)
   {
-    // Rounding may put a hit on an edge just outside the facet.
-    const float u = std::clamp(rayHit.hit.u, 0.0f, 1.0f);
-    const float v = std::clamp(rayHit.hit.v, 0.0f, 1.0f - u);
-    hit.facet = rayHit.hit.primID;
-    hit.barycentric = { 1.0f - u - v, u, v };
+    const std::size_t used = std::min(PacketSize, count - first);
+    IntersectPacket(this->Impl->scene, rays + first, hits + first, used);
   }
-  return hit;
 }
 
 } // namespace PhotonTransport

@@ -3,6 +3,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -39,8 +40,12 @@ public:
   EmbreeScene(EmbreeScene&&) noexcept;
   EmbreeScene& operator=(EmbreeScene&&) noexcept;
 
-  /// Safe to call from any number of threads.
-  Hit Intersect(const Ray& ray) const;
+  /// The first hit of each ray. Safe to call from any number of threads.
+  ///
+  /// Rays go to Embree eight at a time, which is up to a third faster than one by one even where
+  /// they have nothing in common. A ray that meets an edge may get either of its facets, depending
+  /// on its neighbours in the eight: callers that promise the same bits pass the same groups.
+  void Intersect(const Ray* rays, Hit* hits, std::size_t count) const;
 
 private:
   struct Implementation;

@@ -23,4 +23,16 @@ inline void IntersectFirst(RTCScene scene, RTCRayHit& rayHit)
 #endif
 }
 
+/// @param valid -1 for each ray in use, else 0; aligned to 32 bytes.
+inline void IntersectFirst(RTCScene scene, const int* valid, RTCRayHit8& rayHits)
+{
+#if ILLUMINATION_EMBREE_VERSION >= 4
+  rtcIntersect8(valid, scene, &rayHits, nullptr);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect8(valid, scene, &context, &rayHits);
+#endif
+}
+
 } // namespace PhotonTransport

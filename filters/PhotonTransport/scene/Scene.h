@@ -26,7 +26,7 @@ struct alignas(32) Facet
 };
 
 /// What registration and reflection need of a vertex. Areas are in scene units.
-struct alignas(16) Vertex
+struct alignas(64) Vertex
 {
   glm::vec3 position;
   glm::vec3 normal; ///< Unit, as given, or the ring's where none of use was given.
@@ -55,10 +55,27 @@ public:
   /// Throws InvalidInput (see Validate) or std::runtime_error (Embree).
   explicit Scene(const Surface& surface);
 
-  Hit Intersect(const Ray& ray) const { return this->Bvh->Intersect(ray); }
+  /// See EmbreeScene::Intersect.
+  void Intersect(const Ray* rays, Hit* hits, std::size_t count) const
+  {
+    this->Bvh->Intersect(rays, hits, count);
+  }
 
   /// Where a ray starts that leaves the point `barycentric` of a facet on its front or back.
   glm::vec3 SafeOrigin(const Facet& facet, const glm::vec3& barycentric, bool front) const;
+
+  /// Bring a record into the cache ahead of its use.
+  void PrefetchFacet(const Hit& hit) const
+  {
+    if (hit)
+    {
+      __builtin_prefetch(&this->FacetRecords[hit.facet]);
+    }
+  }
+  void PrefetchVertex(std::uint32_t vertex) const
+  {
+    __builtin_prefetch(&this->VertexRecords[vertex]);
+  }
 
   const std::vector<Facet>& Facets() const { return this->FacetRecords; }
   const std::vector<Vertex>& Vertices() const { return this->VertexRecords; }

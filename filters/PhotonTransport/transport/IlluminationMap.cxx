@@ -12,17 +12,18 @@ namespace PhotonTransport
 namespace
 {
 
-/// Photons of replicate `r` when `total` are dealt out as evenly as they go.
-std::uint64_t ShareOf(std::uint64_t total, std::uint32_t replicates, std::uint32_t r)
+/// Blocks of each replicate: equal, so that all have seen the same part of their sequences.
+std::uint64_t BlocksPerReplicate(const TraceSettings& settings)
 {
-  return total / replicates + (r < total % replicates ? 1 : 0);
+  const std::uint64_t round = settings.replicates * PhotonBlock;
+  return (settings.photons + round - 1) / round;
 }
 
-/// Photons traced between two additions of the threads' sums: enough that adding costs little.
+/// Blocks traced between two additions of the threads' sums: enough that adding costs little.
 std::uint64_t SliceSize(const Scene& scene)
 {
-  constexpr std::uint64_t AtLeast = 1u << 16;
-  return std::max<std::uint64_t>(AtLeast, 2 * scene.Vertices().size());
+  constexpr std::uint64_t AtLeast = 256;
+  return std::max<std::uint64_t>(AtLeast, 2 * scene.Vertices().size() / PhotonBlock);
 }
 
 class Run
@@ -39,17 +40,23 @@ public:
   /// Advances all replicates in turn, so that a stopped run has spent about the same on each.
   bool TraceAll(const ProgressMonitor& monitor)
   {
+    const std::uint64_t blocks = BlocksPerReplicate(this->Settings);
     const std::uint64_t slice = SliceSize(this->Surroundings);
-    const std::uint64_t most = ShareOf(this->Settings.photons, this->Settings.replicates, 0);
-    for (std::uint64_t first = 0; first < most; first += slice)
+    const auto total = static_cast<double>(blocks * this->Settings.replicates);
+    std::uint64_t before = 0;
+    const Monitor report = [&](std::uint64_t done) {
+      return monitor(static_cast<double>(before + done) / total);
+    };
+    for (std::uint64_t first = 0; first < blocks; first += slice)
     {
+      const std::uint64_t count = std::min(slice, blocks - first);
       for (std::uint32_t r = 0; r < this->Settings.replicates; ++r)
       {
-        const std::uint64_t share = ShareOf(this->Settings.photons, this->Settings.replicates, r);
-        if (first < share && !this->TraceSlice(r, first, std::min(slice, share - first), monitor))
+        if (!this->Tracer.Trace(r, first, count, this->Replicates[r], monitor ? report : Monitor()))
         {
           return false;
         }
+        before += count;
       }
     }
     return true;
@@ -74,31 +81,17 @@ public:
     {
       map.back = this->Side(&IlluminationSums::back, map);
     }
-    map.photonHits = this->Hits();
     return map;
   }
 
 private:
-  bool TraceSlice(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
-    const ProgressMonitor& monitor)
-  {
-    const std::uint64_t before = this->Traced;
-    this->Traced += count;
-    const auto total = static_cast<double>(this->Settings.photons);
-    const auto report = [&](std::uint64_t done) {
-      return monitor(static_cast<double>(before + done) / total);
-    };
-    return this->Tracer.Trace(replicate, first, count, this->Replicates[replicate],
-      monitor ? Monitor(report) : Monitor());
-  }
-
   /// E_i = (flux / N) V_i / A_i.
   SideMap Side(std::vector<VertexSums> IlluminationSums::*side, const IlluminationMap& map) const
   {
     const std::vector<double>& areas = this->Surroundings.VertexAreas();
     const std::size_t vertices = areas.size();
     SideMap result{ std::vector<double>(vertices, 0.0), std::vector<double>(vertices, 0.0),
-      std::vector<double>(vertices, 0.0) };
+      std::vector<double>(vertices, 0.0), std::vector<std::uint64_t>(vertices, 0) };
     const auto emitted = static_cast<double>(map.balance.emitted);
     if (!(emitted > 0.0))
     {
@@ -115,8 +108,7 @@ private:
       for (const IlluminationSums& replicate : this->Replicates)
       {
         const VertexSums& sums = (replicate.*side)[v];
-        total.direct += sums.direct;
-        total.indirect += sums.indirect;
+        total += sums;
         const auto photons = static_cast<double>(replicate.balance.emitted);
         statistics.Add(FromFixedPoint(sums.direct + sums.indirect) / photons, photons);
       }
@@ -124,34 +116,15 @@ private:
       result.direct[v] = luxPerWeight * FromFixedPoint(total.direct) / emitted;
       result.indirect[v] = luxPerWeight * FromFixedPoint(total.indirect) / emitted;
       result.standardError[v] = luxPerWeight * statistics.StandardError();
+      result.photonHits[v] = total.hits;
     }
     return result;
-  }
-
-  std::vector<std::uint64_t> Hits() const
-  {
-    std::vector<std::uint64_t> hits(this->Surroundings.Vertices().size(), 0);
-    for (std::size_t f = 0; f < this->Surroundings.Facets().size(); ++f)
-    {
-      std::uint64_t onFacet = 0;
-      for (const IlluminationSums& replicate : this->Replicates)
-      {
-        onFacet += replicate.frontHits[f];
-      }
-      const glm::uvec3& corners = this->Surroundings.Facets()[f].vertices;
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        hits[corners[corner]] += onFacet;
-      }
-    }
-    return hits;
   }
 
   const Scene& Surroundings;
   TraceSettings Settings;
   PhotonTracer Tracer;
   std::vector<IlluminationSums> Replicates;
-  std::uint64_t Traced = 0;
 };
 
 } // namespace

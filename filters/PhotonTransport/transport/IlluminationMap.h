@@ -20,14 +20,14 @@ struct SideMap
   std::vector<double> direct;        ///< Straight from the lamp.
   std::vector<double> indirect;      ///< After at least one reflection.
   std::vector<double> standardError; ///< Of direct + indirect; covers noise, not facet size.
+  std::vector<std::uint64_t> photonHits; ///< On this side of the facets around the vertex.
 };
 
 /// The result of a run. Vectors have one value a vertex; 0 at a vertex without a facet.
 struct IlluminationMap
 {
   SideMap front;
-  SideMap back;                          ///< Empty unless asked for.
-  std::vector<std::uint64_t> photonHits; ///< Front hits on the facets around a vertex.
+  SideMap back; ///< Empty unless asked for.
   PhotonBalance balance;
   double flux = 0.0;                 ///< Of the photons, lm.
   double fluxCutByWeightBound = 0.0; ///< lm

@@ -18,29 +18,17 @@ namespace PhotonTransport
 namespace
 {
 
-/// Photons a thread takes at a time: under a millisecond, so that a stop is prompt.
-constexpr std::uint64_t BlockSize = 1024;
-
 struct Job
 {
-  const Scene& scene;
-  const Emitter& source;
-  SequenceKey key;
+  WalkSettings walk;
   float weightBound;
-  std::uint32_t longestPath;
 };
 
 template <Registration Kind, bool Interreflection, bool BackSide>
 void TraceBlock(const Job& job, std::uint64_t first, std::uint64_t last, IlluminationSums& sums)
 {
-  const Registrar<Kind, BackSide> registrar(job.scene, job.weightBound, sums);
-  PhotonSample sample(job.key, first);
-  for (std::uint64_t photon = first; photon < last; ++photon)
-  {
-    WalkPhoton<Interreflection>(
-      job.scene, job.source.Emit(sample), sample, job.longestPath, registrar, sums.balance);
-    sample.Advance();
-  }
+  const Registrar<Kind, BackSide> registrar(job.walk.scene, job.weightBound, sums);
+  WalkPhotons<Interreflection>(job.walk, first, last, registrar, sums.balance);
 }
 
 using BlockTracer = void (*)(const Job&, std::uint64_t, std::uint64_t, IlluminationSums&);
@@ -118,18 +106,17 @@ PhotonTracer::~PhotonTracer() = default;
 
 IlluminationSums PhotonTracer::EmptySums() const
 {
-  return { this->Surroundings.Vertices().size(), this->Surroundings.Facets().size(),
-    this->Settings.registerBackSide };
+  return { this->Surroundings.Vertices().size(), this->Settings.registerBackSide };
 }
 
 bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
   IlluminationSums& sums, const Monitor& monitor)
 {
-  const Job job{ this->Surroundings, this->Source,
-    { this->Settings.seed, replicate, this->Settings.sampling }, this->Settings.weightBound,
-    this->Settings.interreflection ? this->Settings.maximumPathLength : 1u };
+  const Job job{ { this->Surroundings, this->Source,
+                   { this->Settings.seed, replicate, this->Settings.sampling },
+                   this->Settings.interreflection ? this->Settings.maximumPathLength : 1u },
+    this->Settings.weightBound };
   const BlockTracer traceBlock = Choose(this->Answer);
-  const std::uint64_t end = first + count;
   std::atomic<bool> goOn{ true };
   std::atomic<std::uint64_t> done{ 0 };
   const std::thread::id caller = std::this_thread::get_id();
@@ -139,19 +126,16 @@ bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint
       this->Pool->sums[static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())];
     for (std::uint64_t block = blocks.begin(); block < blocks.end() && goOn; ++block)
     {
-      const std::uint64_t from = first + block * BlockSize;
-      const std::uint64_t to = std::min(end, from + BlockSize);
-      traceBlock(job, from, to, own);
-      done += to - from;
+      traceBlock(job, block * PhotonBlock, (block + 1) * PhotonBlock, own);
+      ++done;
       if (monitor && std::this_thread::get_id() == caller && !monitor(done))
       {
         goOn = false;
       }
     }
   };
-  const std::uint64_t blocks = (count + BlockSize - 1) / BlockSize;
   this->Pool->arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, blocks), work);
+    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(first, first + count), work);
   });
   for (IlluminationSums& own : this->Pool->sums)
   {

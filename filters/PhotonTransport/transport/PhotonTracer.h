@@ -15,11 +15,15 @@
 namespace PhotonTransport
 {
 
-/// Called now and then from the thread that called Trace, with the photons that this call has
-/// traced so far; returns false to stop.
-using Monitor = std::function<bool(std::uint64_t photonsDone)>;
+/// Called now and then from the thread that called Trace, with the blocks that this call has traced
+/// so far; returns false to stop.
+using Monitor = std::function<bool(std::uint64_t blocksDone)>;
 
-/// Traces ranges of photons into sums, on several threads. The sums are a function of the ranges
+/// Photons are traced in blocks that are the same in every run, whoever traces them; small enough
+/// that a stop is prompt even where nothing absorbs.
+constexpr std::uint64_t PhotonBlock = 256;
+
+/// Traces blocks of photons into sums, on several threads. The sums are a function of the blocks
 /// alone: same bits for any number of threads and any division of a range.
 class PhotonTracer
 {
@@ -29,8 +33,8 @@ public:
   PhotonTracer(const Scene& scene, const Lamp& lamp, const TraceSettings& settings);
   ~PhotonTracer();
 
-  /// Adds photons [first, first + count) of a replicate to `sums`. Stopped early, it adds those
-  /// that were traced (sums.balance.emitted tells how many) and returns false.
+  /// Adds `count` blocks of a replicate, from block `first`, to `sums`. Stopped early, it adds the
+  /// photons that were traced (sums.balance.emitted tells how many) and returns false.
   bool Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
     IlluminationSums& sums, const Monitor& monitor = {});
 

@@ -12,7 +12,7 @@ namespace PhotonTransport
 /// How to trace, as opposed to what.
 struct TraceSettings
 {
-  std::uint64_t photons = 1'000'000; ///< Over all replicates; >= replicates.
+  std::uint64_t photons = 1'000'000; ///< At least so many; each replicate gets whole blocks of 256.
   std::uint32_t replicates = 8;      ///< Independent runs for the standard error; >= 2.
   std::uint32_t seed = 1;
   Sampling sampling = Sampling::Sobol;

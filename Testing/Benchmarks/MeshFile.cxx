@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshFile.h"
+
+#include <stdexcept>
+
+#ifdef ILLUMINATION_BENCHMARKS_READ_VTP
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkTriangleFilter.h>
+#include <vtkXMLPolyDataReader.h>
+
+PhotonTransport::Surface ReadMesh(const std::string& fileName)
+{
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(fileName.c_str());
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(reader->GetOutputPort());
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  vtkPolyData* mesh = triangles->GetOutput();
+  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
+  if (mesh->GetNumberOfPolys() == 0 || !normals)
+  {
+    throw std::runtime_error(fileName + ": no triangles with point normals");
+  }
+  PhotonTransport::Surface surface;
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    const double* x = mesh->GetPoint(p);
+    surface.points.emplace_back(x[0], x[1], x[2]);
+    const double* n = normals->GetTuple(p);
+    surface.normals.emplace_back(n[0], n[1], n[2]);
+  }
+  vtkDataArray* reflectance = mesh->GetCellData()->GetArray("Reflectance");
+  vtkDataArray* exitance = mesh->GetCellData()->GetArray("Exitance");
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType f = 0; f < mesh->GetNumberOfPolys(); ++f)
+  {
+    mesh->GetPolys()->GetCellAtId(f, corners);
+    surface.facets.emplace_back(corners->GetId(0), corners->GetId(1), corners->GetId(2));
+    surface.reflectance.push_back(
+      reflectance ? static_cast<float>(reflectance->GetComponent(f, 0)) : 0.5f);
+    if (exitance)
+    {
+      surface.exitance.push_back(static_cast<float>(exitance->GetComponent(f, 0)));
+    }
+  }
+  return surface;
+}
+
+#else
+
+PhotonTransport::Surface ReadMesh(const std::string& fileName)
+{
+  throw std::runtime_error(fileName + ": mesh files can be read in a build with VTK only");
+}
+
+#endif

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PhotonTransport/scene/Surface.h"
+
+#include <string>
+
+/// Triangles, point normals and the cell arrays Reflectance and Exitance (where there) of a .vtp
+/// file. Throws std::runtime_error where it can't be read, or in a build without VTK.
+PhotonTransport::Surface ReadMesh(const std::string& fileName);
