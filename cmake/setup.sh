@@ -8,8 +8,8 @@ say() { printf '\n== %s\n' "$*"; }
 illumination_packages=(
   g++ cmake ninja-build
   libembree-dev libglm-dev libtbb-dev
-  libgtest-dev
-  paraview-dev python3-paraview python3-dev python3-numpy
+  libgtest-dev libboost-dev
+  paraview-dev python3-paraview python3-dev python3-numpy python3-matplotlib
   libopenmpi-dev libdouble-conversion-dev libexpat1-dev libfreetype-dev liblz4-dev liblzma-dev
   libutfcpp-dev
   qttools5-dev qtxmlpatterns5-dev-tools # help pages in ParaView

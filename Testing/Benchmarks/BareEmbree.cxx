@@ -22,21 +22,21 @@ struct BareEmbree::Implementation
   RTCScene scene = nullptr;
 };
 
-BareEmbree::BareEmbree(const PhotonTransport::Scene& scene,
-  const std::vector<PhotonTransport::Ray>& rays, int threads)
+BareEmbree::BareEmbree(
+  const PhotonTransport::Scene& scene, const std::vector<PhotonTransport::Ray>& rays, int threads)
   : Impl(std::make_unique<Implementation>(threads))
 {
   this->Impl->rays = rays;
   this->Impl->device = rtcNewDevice(nullptr);
   RTCGeometry geometry = rtcNewGeometry(this->Impl->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* points = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-    RTC_FORMAT_FLOAT3, sizeof(glm::vec3), scene.Vertices().size()));
+  auto* points = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX,
+    0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), scene.Vertices().size()));
   for (const PhotonTransport::Vertex& vertex : scene.Vertices())
   {
     *points++ = vertex.position;
   }
-  auto* indices = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
-    RTC_FORMAT_UINT3, sizeof(glm::uvec3), scene.Facets().size()));
+  auto* indices = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX,
+    0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), scene.Facets().size()));
   for (const PhotonTransport::Facet& facet : scene.Facets())
   {
     *indices++ = facet.vertices;
@@ -57,24 +57,27 @@ BareEmbree::~BareEmbree()
 
 void BareEmbree::Replay()
 {
-  this->Impl->arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, this->Impl->rays.size(), 1024),
-      [&](const tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i)
+  this->Impl->arena.execute(
+    [&]
+    {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, this->Impl->rays.size(), 1024),
+        [&](const tbb::blocked_range<std::size_t>& range)
         {
-          const PhotonTransport::Ray& ray = this->Impl->rays[i];
-          RTCRayHit rayHit{};
-          rayHit.ray.org_x = ray.origin.x;
-          rayHit.ray.org_y = ray.origin.y;
-          rayHit.ray.org_z = ray.origin.z;
-          rayHit.ray.dir_x = ray.direction.x;
-          rayHit.ray.dir_y = ray.direction.y;
-          rayHit.ray.dir_z = ray.direction.z;
-          rayHit.ray.tfar = std::numeric_limits<float>::infinity();
-          rayHit.ray.mask = 0xffffffffu;
-          rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-          PhotonTransport::IntersectFirst(this->Impl->scene, rayHit);
-        }
-      });
-  });
+          for (std::size_t i = range.begin(); i < range.end(); ++i)
+          {
+            const PhotonTransport::Ray& ray = this->Impl->rays[i];
+            RTCRayHit rayHit{};
+            rayHit.ray.org_x = ray.origin.x;
+            rayHit.ray.org_y = ray.origin.y;
+            rayHit.ray.org_z = ray.origin.z;
+            rayHit.ray.dir_x = ray.direction.x;
+            rayHit.ray.dir_y = ray.direction.y;
+            rayHit.ray.dir_z = ray.direction.z;
+            rayHit.ray.tfar = std::numeric_limits<float>::infinity();
+            rayHit.ray.mask = 0xffffffffu;
+            rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+            PhotonTransport::IntersectFirst(this->Impl->scene, rayHit);
+          }
+        });
+    });
 }

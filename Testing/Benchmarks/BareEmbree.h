@@ -6,7 +6,8 @@
 #include <memory>
 #include <vector>
 
-/// Nothing but rtcIntersect1 on recorded rays, on a scene with the tracer's own triangles and flags.
+/// Nothing but rtcIntersect1 on recorded rays, on a scene with the tracer's own triangles and
+/// flags.
 class BareEmbree
 {
 public:

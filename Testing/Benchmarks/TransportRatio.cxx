@@ -92,7 +92,8 @@ void Compare(const std::string& name, const Surface& surface, const Lamp& lamp, 
     replayed.push_back(static_cast<double>(rays.size()) / replay * 1e-6);
     ratios.push_back(traced.back() / replayed.back());
   }
-  std::printf("%-28s %9zu triangles  %d thread%s  all-in %6.2f M/s  bare Embree %6.2f M/s  ratio %.2f\n",
+  std::printf(
+    "%-28s %9zu triangles  %d thread%s  all-in %6.2f M/s  bare Embree %6.2f M/s  ratio %.2f\n",
     name.c_str(), scene.Facets().size(), threads, threads == 1 ? " " : "s", Median(traced),
     Median(replayed), Median(ratios));
   std::fflush(stdout);

@@ -71,16 +71,18 @@ TEST(Emitter, ParallelLightStartsFromTheScenesShadow)
   const Scene scene(sphere);
   const glm::dvec3 direction(1.0, -2.0, 0.5);
   const Emitter emitter(ParallelLight{ direction, 300.0 }, scene);
-  const double shadow = Pi * 4.0; // m^2
-  EXPECT_GE(emitter.Flux(), 300.0 * shadow * 0.995); // the facets' shadow is a little smaller
-  EXPECT_LE(emitter.Flux(), 300.0 * shadow * 1.02);  // Badoiu and Clarkson: within 1/100
+  const double shadow = Pi * 4.0;                     // m^2
+  EXPECT_GE(emitter.Flux(), 300.0 * shadow * 0.995);  // the facets' shadow is a little smaller
+  EXPECT_LE(emitter.Flux(), 300.0 * shadow * 1.0001); // float coordinates
   int missed = 0;
-  ForPhotons(emitter, 1 << 14, [&](const Ray& ray) {
-    EXPECT_NEAR(glm::dot(glm::dvec3(ray.direction), glm::normalize(direction)), 1.0, 1e-6);
-    Hit hit;
-    scene.Intersect(&ray, &hit, 1);
-    missed += !hit;
-  });
+  ForPhotons(emitter, 1 << 14,
+    [&](const Ray& ray)
+    {
+      EXPECT_NEAR(glm::dot(glm::dvec3(ray.direction), glm::normalize(direction)), 1.0, 1e-6);
+      Hit hit;
+      scene.Intersect(&ray, &hit, 1);
+      missed += !hit;
+    });
   EXPECT_LT(missed, (1 << 14) / 30);
 }
 
@@ -94,10 +96,12 @@ TEST(Emitter, SpotStaysInItsCone)
       SpotLamp{ glm::dvec3(0.1), glm::dvec3(0.0, 3.0, 0.0), halfAngle, exponent, 50.0 }, scene);
     EXPECT_EQ(emitter.Flux(), 50.0);
     double least = 1.0;
-    ForPhotons(emitter, 1 << 12, [&](const Ray& ray) {
-      least = std::min(least, double{ ray.direction.y });
-      EXPECT_NEAR(glm::length(ray.origin - glm::vec3(0.05f)), 0.0f, 0.2f);
-    });
+    ForPhotons(emitter, 1 << 12,
+      [&](const Ray& ray)
+      {
+        least = std::min(least, double{ ray.direction.y });
+        EXPECT_NEAR(glm::length(ray.origin - glm::vec3(0.05f)), 0.0f, 0.2f);
+      });
     EXPECT_GE(least, std::cos(halfAngle) - 1e-6);
     EXPECT_LE(least, std::cos(halfAngle) + 0.01);
   }
@@ -110,11 +114,13 @@ TEST(Emitter, RectangleLiesAsDocumented)
   const Emitter emitter(
     RectangleLamp{ glm::dvec3(-0.5, 0.0, 0.0), glm::dvec3(7.0, 0.0, 0.0), 0.8, 0.2, 10.0 }, scene);
   glm::vec3 low(1.0f), high(-1.0f);
-  ForPhotons(emitter, 1 << 12, [&](const Ray& ray) {
-    low = glm::min(low, ray.origin);
-    high = glm::max(high, ray.origin);
-    EXPECT_GE(ray.direction.x, 0.0f);
-  });
+  ForPhotons(emitter, 1 << 12,
+    [&](const Ray& ray)
+    {
+      low = glm::min(low, ray.origin);
+      high = glm::max(high, ray.origin);
+      EXPECT_GE(ray.direction.x, 0.0f);
+    });
   EXPECT_NEAR(high.x - low.x, 0.0f, 1e-6f);
   EXPECT_NEAR(high.y - low.y, 0.8f, 0.002f);
   EXPECT_NEAR(high.z - low.z, 0.2f, 0.002f);
@@ -132,12 +138,14 @@ TEST(Emitter, FacetsShineByTheirFlux)
   EXPECT_NEAR(emitter.Flux(), 800.0, 1e-3);
   int onSecond = 0;
   constexpr int Photons = 1 << 12;
-  ForPhotons(emitter, Photons, [&](const Ray& ray) {
-    EXPECT_NEAR(ray.origin.z, 1.0f, 1e-5f);
-    EXPECT_LT(ray.direction.z, 0.0f); // from the front, into the room
-    // Rectangle() splits along the diagonal from its corner: the second triangle has y > x.
-    onSecond += ray.origin.y > ray.origin.x;
-  });
+  ForPhotons(emitter, Photons,
+    [&](const Ray& ray)
+    {
+      EXPECT_NEAR(ray.origin.z, 1.0f, 1e-5f);
+      EXPECT_LT(ray.direction.z, 0.0f); // from the front, into the room
+      // Rectangle() splits along the diagonal from its corner: the second triangle has y > x.
+      onSecond += ray.origin.y > ray.origin.x;
+    });
   EXPECT_NEAR(onSecond, Photons * 3 / 4, 3); // Sobol: discrepancy of the facet dimension
 }
 
@@ -146,11 +154,12 @@ TEST(Emitter, FarLampsAimPrecisely)
 {
   const Scene scene(Shapes::Box(glm::dvec3(-1.0), glm::dvec3(1.0), 1, Facing::Outward));
   const double far = 1e6;
-  const Emitter emitter(SpotLamp{ glm::dvec3(0.0, 0.0, far), glm::dvec3(0.0, 0.0, -1.0),
-                          2.0 / far, 0.0, 1.0 },
-    scene);
-  ForPhotons(emitter, 1000, [&](const Ray& ray) {
-    EXPECT_LE(glm::length(ray.origin), 3.0f);
-    EXPECT_LE(std::fabs(ray.origin.x), 2.1f);
-  });
+  const Emitter emitter(
+    SpotLamp{ glm::dvec3(0.0, 0.0, far), glm::dvec3(0.0, 0.0, -1.0), 2.0 / far, 0.0, 1.0 }, scene);
+  ForPhotons(emitter, 1000,
+    [&](const Ray& ray)
+    {
+      EXPECT_LE(glm::length(ray.origin), 3.0f);
+      EXPECT_LE(std::fabs(ray.origin.x), 2.1f);
+    });
 }

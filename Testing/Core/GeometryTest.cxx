@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "PhotonTransport/geometry/BoundingCircle.h"
 #include "PhotonTransport/geometry/FacetRings.h"
 #include "PhotonTransport/geometry/Frame.h"
 #include "PhotonTransport/geometry/Placement.h"
@@ -7,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -65,12 +67,60 @@ TEST(Placement, OfASinglePointDoesNotScale)
 TEST(FacetRings, ListEachVertexsFacets)
 {
   const FacetRings rings(5, { { 0, 1, 2 }, { 2, 1, 3 } });
-  const auto ring = [&](std::uint32_t v) {
-    return std::multiset<std::uint32_t>(rings.Of(v).begin(), rings.Of(v).end());
-  };
+  const auto ring = [&](std::uint32_t v)
+  { return std::multiset<std::uint32_t>(rings.Of(v).begin(), rings.Of(v).end()); };
   EXPECT_EQ(ring(0), (std::multiset<std::uint32_t>{ 0 }));
   EXPECT_EQ(ring(1), (std::multiset<std::uint32_t>{ 0, 1 }));
   EXPECT_EQ(ring(2), (std::multiset<std::uint32_t>{ 0, 1 }));
   EXPECT_EQ(ring(3), (std::multiset<std::uint32_t>{ 1 }));
   EXPECT_TRUE(ring(4).empty());
+}
+
+namespace
+{
+
+/// The circle holds all points, and its rim has points that no half circle leaves out: it is the
+/// smallest.
+void ExpectSmallest(const std::vector<glm::dvec2>& points)
+{
+  const Circle circle = BoundingCircle(points);
+  std::vector<double> angles;
+  for (const glm::dvec2& point : points)
+  {
+    const glm::dvec2 d = point - circle.centre;
+    EXPECT_LE(glm::length(d), circle.radius);
+    if (glm::length(d) > circle.radius * (1.0 - 1e-9))
+    {
+      angles.push_back(std::atan2(d.y, d.x));
+    }
+  }
+  std::sort(angles.begin(), angles.end());
+  ASSERT_GE(angles.size(), 2u);
+  angles.push_back(angles.front() + 2.0 * 3.14159265358979);
+  for (std::size_t i = 0; i + 1 < angles.size(); ++i)
+  {
+    EXPECT_LE(angles[i + 1] - angles[i], 3.14159265358979 * (1.0 + 1e-6));
+  }
+}
+
+} // namespace
+
+TEST(BoundingCircle, IsTheSmallest)
+{
+  std::vector<glm::dvec2> cloud, ring, line, grid;
+  PhotonSample sample({ 4, 0, Sampling::Random }, 0);
+  for (int i = 0; i < 2000; ++i, sample.Advance())
+  {
+    cloud.emplace_back(sample.Emission(0), 2.0 * sample.Emission(1));
+    ring.emplace_back(3.0 + std::cos(0.01 * i), std::sin(0.01 * i));
+    line.emplace_back(0.3 * i, 0.1 * i);
+    grid.emplace_back(i % 40, i / 40);
+  }
+  ExpectSmallest(cloud);
+  ExpectSmallest(ring);
+  ExpectSmallest(line);
+  ExpectSmallest(grid);
+  ExpectSmallest({ { 0, 0 }, { 1, 0 } });
+  ExpectSmallest({ { 0, 0 }, { 1, 0 }, { 1, 0 }, { 0, 0 }, { 0.5, 0 } });
+  EXPECT_EQ(BoundingCircle({ { 2.0, 3.0 } }).radius, 0.0);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PhotonTransport/geometry/Frame.h"
 #include "PhotonTransport/registration/Registration.h"
+#include "PhotonTransport/geometry/Frame.h"
 #include "PhotonTransport/sampling/PhotonSample.h"
 #include "PhotonTransport/sampling/Warps.h"
 
@@ -46,7 +46,8 @@ TEST(HitWeights, AreBarycentricOnAFlatSurface)
     {
       const glm::vec3 b(0.2f, 0.3f, 0.5f);
       const auto ratio = HitWeights<Registration::FacetRatio>(scene, facet, b, towards, 1.0f);
-      const auto vertex = HitWeights<Registration::VertexNormalised>(scene, facet, b, towards, 1.0f);
+      const auto vertex =
+        HitWeights<Registration::VertexNormalised>(scene, facet, b, towards, 1.0f);
       EXPECT_EQ((HitWeights<Registration::Flat>(scene, facet, b, towards, 1.0f)), b);
       for (int corner = 0; corner < 3; ++corner)
       {
@@ -67,7 +68,8 @@ TEST(HitWeights, FacetRatioIsTheQuotientOfCosines)
   const glm::vec3 smooth = scene.Vertices()[facet.vertices.x].normal;
   const glm::vec3 towards = glm::normalize(facet.normal + 0.5f * smooth);
   const float m = glm::dot(towards, smooth) / glm::dot(towards, facet.normal);
-  EXPECT_NEAR(Total(HitWeights<Registration::FacetRatio>(scene, facet, corner, towards, 1.0f)), m, 1e-5f);
+  EXPECT_NEAR(
+    Total(HitWeights<Registration::FacetRatio>(scene, facet, corner, towards, 1.0f)), m, 1e-5f);
   EXPECT_GT(std::fabs(m - 1.0f), 0.01f);
 }
 
@@ -109,7 +111,8 @@ TEST(HitWeights, VertexNormalisedIsBoundedWhereNormalsFollowTheRing)
       {
         continue;
       }
-      const auto w = HitWeights<Registration::VertexNormalised>(scene, facet, Middle, towards, 1.0f);
+      const auto w =
+        HitWeights<Registration::VertexNormalised>(scene, facet, Middle, towards, 1.0f);
       for (int corner = 0; corner < 3; ++corner)
       {
         const Vertex& vertex = scene.Vertices()[facet.vertices[corner]];
@@ -136,13 +139,16 @@ TEST(HitWeights, TreatBothSidesAlike)
     const Facet& out = outward.Facets()[f];
     const Facet& in = inward.Facets()[f];
     const glm::vec3 towards = glm::normalize(glm::vec3(0.3f, 0.2f, -0.1f) - out.normal);
-    const auto back = HitWeights<Registration::VertexNormalised>(outward, out, Middle, towards, -1.0f);
-    const auto front = HitWeights<Registration::VertexNormalised>(inward, in, Middle, towards, 1.0f);
+    const auto back =
+      HitWeights<Registration::VertexNormalised>(outward, out, Middle, towards, -1.0f);
+    const auto front =
+      HitWeights<Registration::VertexNormalised>(inward, in, Middle, towards, 1.0f);
     EXPECT_NEAR(Total(back), Total(front), 1e-5f);
   }
 }
 
-// Grazing light on a coarse sphere: what the bound cuts off is counted, nothing is lost or infinite.
+// Grazing light on a coarse sphere: what the bound cuts off is counted, nothing is lost or
+// infinite.
 TEST(Registrar, CutsAtTheBoundAndReportsTheRest)
 {
   const Scene scene(Shapes::Icosphere(0, Facing::Outward));

@@ -201,10 +201,8 @@ TEST(Warps, PowerCosineConeFollowsItsDensity)
     for (const double cosMax : { 0.0, 0.5, 0.99 })
     {
       const double edge = std::pow(cosMax, exponent + 1.0);
-      ExpectDistribution(
-        [&](float u, float v) {
-          return PowerCosineCone(u, v, static_cast<float>(exponent), static_cast<float>(cosMax));
-        },
+      ExpectDistribution([&](float u, float v)
+        { return PowerCosineCone(u, v, static_cast<float>(exponent), static_cast<float>(cosMax)); },
         [&](double c) { return (std::pow(c, exponent + 1.0) - edge) / (1.0 - edge); });
     }
   }
@@ -214,7 +212,8 @@ TEST(Warps, PowerCosineConeFollowsItsDensity)
 TEST(Warps, DensitiesIntegrateToOne)
 {
   constexpr int Steps = 100000;
-  const auto integral = [](const auto& density) {
+  const auto integral = [](const auto& density)
+  {
     double sum = 0.0;
     for (int i = 0; i < Steps; ++i)
     {

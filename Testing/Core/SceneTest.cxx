@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/scene/Scene.h"
+#include "PhotonTransport/scene/InvalidInput.h"
 
 #include "Shapes.h"
 
@@ -43,8 +43,8 @@ void ExpectRefused(const std::function<void(Surface&)>& spoil, Where where, std:
 
 TEST(Scene, RefusesBadInputByPlaceAndValue)
 {
-  ExpectRefused([](Surface& s) { s.facets.clear(), s.reflectance.clear(); }, Where::Surface, 0,
-    "no triangles");
+  ExpectRefused(
+    [](Surface& s) { s.facets.clear(), s.reflectance.clear(); }, Where::Surface, 0, "no triangles");
   ExpectRefused([](Surface& s) { s.normals.pop_back(); }, Where::Surface, 0, "11 normals for 12");
   ExpectRefused(
     [](Surface& s) { s.reflectance.pop_back(); }, Where::Surface, 0, "19 reflectances for 20");
@@ -55,12 +55,14 @@ TEST(Scene, RefusesBadInputByPlaceAndValue)
   ExpectRefused([](Surface& s) { s.facets[8].z = 12; }, Where::Facet, 8, "point 12 of 12");
   ExpectRefused([](Surface& s) { s.exitance.assign(3, 1.0f); }, Where::Surface, 0, "3 exitances");
   ExpectRefused(
-    [](Surface& s) {
+    [](Surface& s)
+    {
       s.exitance.assign(20, 1.0f);
       s.exitance[9] = -2.0f;
     },
     Where::Facet, 9, "-2");
-  ExpectRefused([](Surface& s) { s.metresPerUnit = 0.0; }, Where::TraceSettings, 0, "metres per unit");
+  ExpectRefused(
+    [](Surface& s) { s.metresPerUnit = 0.0; }, Where::TraceSettings, 0, "metres per unit");
   ExpectRefused(
     [](Surface& s) { s.points.assign(12, glm::dvec3(1.0)); }, Where::Surface, 0, "zero area");
 }
@@ -111,7 +113,8 @@ TEST(Scene, DropsFacetsWithoutArea)
 // A third of every facet's area belongs to each corner, in square metres whatever the unit.
 TEST(Scene, VertexAreasAddUpToTheSurface)
 {
-  Surface surface = Shapes::Box(glm::dvec3(0.0), glm::dvec3(200.0, 300.0, 400.0), 3, Shapes::Facing::Inward);
+  Surface surface =
+    Shapes::Box(glm::dvec3(0.0), glm::dvec3(200.0, 300.0, 400.0), 3, Shapes::Facing::Inward);
   surface.metresPerUnit = 0.01;
   const Scene scene(surface);
   double sum = 0.0;

@@ -27,9 +27,8 @@ const Lamp RoomLamp = PointLamp{ glm::dvec3(-1.0, 0.5, 0.8), 1000.0 };
 bool SameSums(const std::vector<VertexSums>& a, const std::vector<VertexSums>& b)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-    [](const VertexSums& x, const VertexSums& y) {
-      return x.direct == y.direct && x.indirect == y.indirect && x.hits == y.hits;
-    });
+    [](const VertexSums& x, const VertexSums& y)
+    { return x.direct == y.direct && x.indirect == y.indirect && x.hits == y.hits; });
 }
 
 bool Same(const IlluminationSums& a, const IlluminationSums& b)
@@ -71,7 +70,12 @@ class EveryRegistration : public testing::TestWithParam<Registration>
 {
 };
 INSTANTIATE_TEST_SUITE_P(Transport, EveryRegistration,
-  testing::Values(Registration::Flat, Registration::FacetRatio, Registration::VertexNormalised));
+  testing::Values(Registration::Flat, Registration::FacetRatio, Registration::VertexNormalised),
+  [](const auto& instance)
+  {
+    constexpr const char* Names[] = { "Flat", "FacetRatio", "VertexNormalised" };
+    return Names[static_cast<int>(instance.param)];
+  });
 
 TEST_P(EveryRegistration, ThreadsDoNotChangeABit)
 {
@@ -193,8 +197,9 @@ TEST(Transport, StoppedRunIsAValidMap)
   settings.photons = 100'000'000;
   settings.registration = Registration::Flat;
   double reached = 0.0;
-  const IlluminationMap map =
-    TraceIlluminationMap(scene, RoomLamp, settings, [&](double fraction) {
+  const IlluminationMap map = TraceIlluminationMap(scene, RoomLamp, settings,
+    [&](double fraction)
+    {
       EXPECT_GE(fraction, reached);
       reached = fraction;
       return fraction < 0.002;
@@ -215,7 +220,8 @@ TEST(Transport, StoppedRunIsAValidMap)
 TEST(Transport, RefusesSettingsThatMakeNoSense)
 {
   const Scene scene(Room(0.5f));
-  const auto refused = [&](const auto& spoil) {
+  const auto refused = [&](const auto& spoil)
+  {
     TraceSettings settings;
     spoil(settings);
     EXPECT_THROW(PhotonTracer(scene, RoomLamp, settings), InvalidInput);

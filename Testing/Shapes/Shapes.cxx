@@ -3,6 +3,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -66,9 +67,8 @@ Surface Patch(const Grid& grid, const std::function<PointAndNormal(double, doubl
       surface.normals.push_back(p.normal);
     }
   }
-  const auto id = [&](int i, int j) {
-    return static_cast<unsigned>((j % rows) * columns + i % columns);
-  };
+  const auto id = [&](int i, int j)
+  { return static_cast<unsigned>((j % rows) * columns + i % columns); };
   for (int j = 0; j < grid.n; ++j)
   {
     for (int i = 0; i < grid.m; ++i)
@@ -107,7 +107,8 @@ void MergeRow(Surface& surface, unsigned first, unsigned count)
 void Subdivide(Surface& sphere)
 {
   std::map<std::pair<unsigned, unsigned>, unsigned> middles;
-  const auto middle = [&](unsigned a, unsigned b) {
+  const auto middle = [&](unsigned a, unsigned b)
+  {
     const auto [entry, fresh] =
       middles.emplace(std::minmax(a, b), static_cast<unsigned>(sphere.points.size()));
     if (fresh)
@@ -144,8 +145,8 @@ Surface SubdividedSphere(Surface start, int levels, Facing facing)
 
 PointAndNormal OnSphere(double azimuth, double polar)
 {
-  const glm::dvec3 p(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
-    std::cos(polar));
+  const glm::dvec3 p(
+    std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar));
   return { p, p };
 }
 
@@ -154,7 +155,8 @@ PointAndNormal OnSphere(double azimuth, double polar)
 Surface Octasphere(int levels, Facing facing)
 {
   Surface start;
-  start.points = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } };
+  start.points = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 },
+    { 0, 0, -1 } };
   start.facets = { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 },
     { 3, 1, 5 }, { 0, 3, 5 } };
   return SubdividedSphere(std::move(start), levels, facing);
@@ -167,10 +169,9 @@ Surface Icosphere(int levels, Facing facing)
   start.points = { { -1, g, 0 }, { 1, g, 0 }, { -1, -g, 0 }, { 1, -g, 0 }, { 0, -1, g },
     { 0, 1, g }, { 0, -1, -g }, { 0, 1, -g }, { g, 0, -1 }, { g, 0, 1 }, { -g, 0, -1 },
     { -g, 0, 1 } };
-  start.facets = { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 }, { 0, 7, 10 }, { 0, 10, 11 },
-    { 1, 5, 9 }, { 5, 11, 4 }, { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 },
-    { 3, 2, 6 }, { 3, 6, 8 }, { 3, 8, 9 }, { 4, 9, 5 }, { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 },
-    { 9, 8, 1 } };
+  start.facets = { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 }, { 0, 7, 10 }, { 0, 10, 11 }, { 1, 5, 9 },
+    { 5, 11, 4 }, { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 }, { 3, 2, 6 },
+    { 3, 6, 8 }, { 3, 8, 9 }, { 4, 9, 5 }, { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 }, { 9, 8, 1 } };
   return SubdividedSphere(std::move(start), levels, facing);
 }
 
@@ -188,7 +189,8 @@ Surface Torus(int around, int across, Facing facing)
 {
   constexpr double Tube = 0.4;
   return Faced(Patch({ around, across, true, true },
-                 [](double u, double v) {
+                 [](double u, double v)
+                 {
                    const double a = 2.0 * Pi * u;
                    const double b = 2.0 * Pi * v;
                    const glm::dvec3 normal(
@@ -202,7 +204,8 @@ Surface Torus(int around, int across, Facing facing)
 Surface Tube(int around, int along, Facing facing)
 {
   return Faced(Patch({ around, along, true, false },
-                 [](double u, double v) {
+                 [](double u, double v)
+                 {
                    const glm::dvec3 normal(std::cos(2.0 * Pi * u), std::sin(2.0 * Pi * u), 0.0);
                    return PointAndNormal{ normal + glm::dvec3(0.0, 0.0, 2.0 * v - 1.0), normal };
                  }),
@@ -211,9 +214,8 @@ Surface Tube(int around, int along, Facing facing)
 
 Surface Cap(int around, int along, double degrees)
 {
-  Surface cap = Patch({ around, along, true, false }, [=](double u, double v) {
-    return OnSphere(2.0 * Pi * u, degrees * Degree * (1.0 - v));
-  });
+  Surface cap = Patch({ around, along, true, false },
+    [=](double u, double v) { return OnSphere(2.0 * Pi * u, degrees * Degree * (1.0 - v)); });
   MergeRow(cap, static_cast<unsigned>(around * along), static_cast<unsigned>(around));
   return cap;
 }
@@ -221,18 +223,22 @@ Surface Cap(int around, int along, double degrees)
 Surface Rectangle(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, int cells)
 {
   const glm::dvec3 normal = glm::normalize(glm::cross(u, v));
-  return Patch({ cells, cells }, [=](double s, double t) {
-    return PointAndNormal{ corner + s * u + t * v, normal };
-  });
+  return Patch({ cells, cells },
+    [=](double s, double t) {
+      return PointAndNormal{ corner + s * u + t * v, normal };
+    });
 }
 
 Surface Disk(double radius, double z, int around, int along, bool up)
 {
   const glm::dvec3 normal(0.0, 0.0, up ? 1.0 : -1.0);
-  Surface disk = Patch({ around, along, true, false }, [=](double u, double v) {
-    const double r = radius * (1.0 - v);
-    return PointAndNormal{ { r * std::cos(2.0 * Pi * u), r * std::sin(2.0 * Pi * u), z }, normal };
-  });
+  Surface disk = Patch({ around, along, true, false },
+    [=](double u, double v)
+    {
+      const double r = radius * (1.0 - v);
+      return PointAndNormal{ { r * std::cos(2.0 * Pi * u), r * std::sin(2.0 * Pi * u), z },
+        normal };
+    });
   MergeRow(disk, static_cast<unsigned>(around * along), static_cast<unsigned>(around));
   return disk;
 }
@@ -275,8 +281,8 @@ Surface RoomWithSphere(int triangles)
     point = 0.6 * point + glm::dvec3(0.2, 0.1, -0.3);
   }
   const int cells = static_cast<int>(std::sqrt(triangles / 24.0));
-  return Together(Box(glm::dvec3(-2.0, -1.5, -1.2), glm::dvec3(2.0, 1.5, 1.2), cells, Facing::Inward),
-    ball);
+  return Together(
+    Box(glm::dvec3(-2.0, -1.5, -1.2), glm::dvec3(2.0, 1.5, 1.2), cells, Facing::Inward), ball);
 }
 
 Surface Together(Surface a, const Surface& b)

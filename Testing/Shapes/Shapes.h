@@ -42,8 +42,7 @@ Surface Cap(int around, int along, double degrees);
 Surface Box(const glm::dvec3& low, const glm::dvec3& high, int cells, Facing facing);
 
 /// Rectangle corner + u, v with cells x cells squares and normal u x v.
-Surface Rectangle(
-  const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, int cells);
+Surface Rectangle(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, int cells);
 
 /// Disk of radius `radius` about the z axis at height z, normal +z (or -z), `around` x `along`.
 Surface Disk(double radius, double z, int around, int along, bool up);

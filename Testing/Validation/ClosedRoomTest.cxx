@@ -67,9 +67,8 @@ TEST_P(ClosedShape, MeanIlluminanceIsTheFurnaces)
     const double rho = reflectance;
     const double exact = 1000.0 / (area * (1.0 - rho));
     const double spread = std::sqrt(rho / static_cast<double>(settings.photons)); // relative
-    constexpr double Rounding = 1e-6; // float weights
-    EXPECT_NEAR(
-      AreaMean(scene, Total(map.front)) / exact, 1.0, 4.0 * spread + Rounding);
+    constexpr double Rounding = 1e-6;                                             // float weights
+    EXPECT_NEAR(AreaMean(scene, Total(map.front)) / exact, 1.0, 4.0 * spread + Rounding);
     EXPECT_EQ(map.balance.escaped, 0u);
     EXPECT_EQ(map.balance.cutOff, 0u);
   }

@@ -12,9 +12,10 @@
 /// A map against what is known.
 struct Comparison
 {
-  double squaredError = 0.0;  ///< Area-weighted mean of (E - exact)^2 over the largest exact, squared.
-  double squaredNoise = 0.0;  ///< The same of the standard error.
-  double largestError = 0.0;  ///< Over the largest exact.
+  double squaredError =
+    0.0; ///< Area-weighted mean of (E - exact)^2 over the largest exact, squared.
+  double squaredNoise = 0.0; ///< The same of the standard error.
+  double largestError = 0.0; ///< Over the largest exact.
 
   /// Root mean square error that noise does not explain.
   double Bias() const;

@@ -58,8 +58,9 @@ double ShareTolerance(double share)
 class PointLikeLamp : public testing::TestWithParam<Sampling>
 {
 };
-INSTANTIATE_TEST_SUITE_P(
-  Validation, PointLikeLamp, testing::Values(Sampling::Random, Sampling::Sobol));
+INSTANTIATE_TEST_SUITE_P(Validation, PointLikeLamp,
+  testing::Values(Sampling::Random, Sampling::Sobol),
+  [](const auto& instance) { return instance.param == Sampling::Random ? "Random" : "Sobol"; });
 
 TEST_P(PointLikeLamp, FollowsTheInverseSquareLaw)
 {
@@ -73,13 +74,15 @@ TEST_P(PointLikeLamp, FollowsTheInverseSquareLaw)
   const double spotIntensity =
     flux * (exponent + 1.0) / (2.0 * Pi * (1.0 - std::pow(std::cos(halfAngle), exponent + 1.0)));
 
-  const auto expectIntensity = [&](const Lamp& lamp, const auto& intensity) {
-    const std::vector<double> exact =
-      RingMeans(floor, [&](const glm::dvec3& point, const glm::dvec3& normal) {
+  const auto expectIntensity = [&](const Lamp& lamp, const auto& intensity)
+  {
+    const std::vector<double> exact = RingMeans(floor,
+      [&](const glm::dvec3& point, const glm::dvec3& normal)
+      {
         const glm::dvec3 ray = point - position;
         const double distance = glm::length(ray);
-        return intensity(glm::dot(ray, axis) / distance) *
-          std::max(0.0, -glm::dot(ray, normal)) / (distance * distance * distance);
+        return intensity(glm::dot(ray, axis) / distance) * std::max(0.0, -glm::dot(ray, normal)) /
+          (distance * distance * distance);
       });
     const IlluminationMap map = Traced(scene, lamp, GetParam());
     ExpectErrorIsNoise(
@@ -88,9 +91,9 @@ TEST_P(PointLikeLamp, FollowsTheInverseSquareLaw)
   expectIntensity(PointLamp{ position, flux }, [&](double) { return flux / (4.0 * Pi); });
   expectIntensity(LambertianPointLamp{ position, axis, flux },
     [&](double cosine) { return flux / Pi * std::max(0.0, cosine); });
-  expectIntensity(SpotLamp{ position, axis, halfAngle, exponent, flux }, [&](double cosine) {
-    return cosine >= std::cos(halfAngle) ? spotIntensity * std::pow(cosine, exponent) : 0.0;
-  });
+  expectIntensity(SpotLamp{ position, axis, halfAngle, exponent, flux },
+    [&](double cosine)
+    { return cosine >= std::cos(halfAngle) ? spotIntensity * std::pow(cosine, exponent) : 0.0; });
 }
 
 // A spot over a disk that it overshines: the share within the angle beta.
@@ -104,8 +107,8 @@ TEST(Spot, FluxWithinAnAngle)
     const double share = (1.0 - within) / (1.0 - edge);
     const SpotLamp spot{ { 0, 0, height }, { 0, 0, -1 }, 1.2, exponent, 1.0 };
     // A disk of 720 corners misses 1 - sin(a)/a = 1.3e-5 of its area.
-    EXPECT_NEAR(CaughtShare(Shapes::Disk(1.0, 0.0, 720, 1, true), spot), share,
-      ShareTolerance(share) + 2e-5);
+    EXPECT_NEAR(
+      CaughtShare(Shapes::Disk(1.0, 0.0, 720, 1, true), spot), share, ShareTolerance(share) + 2e-5);
   }
 }
 
@@ -117,10 +120,10 @@ TEST(ViewFactor, OfParallelSquares)
       2.0 * std::atan(1.0));
   EXPECT_NEAR(share, 0.1998, 1e-4);
   const Surface receiver = Shapes::Rectangle({ -0.5, -0.5, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 4);
-  EXPECT_NEAR(CaughtShare(receiver, RectangleLamp{ { 0, 0, 1 }, { 0, 0, -1 }, 1.0, 1.0, 5.0 }), share,
-    ShareTolerance(share));
-  const Surface lamp = Shapes::WithExitance(
-    Shapes::Rectangle({ -0.5, -0.5, 1 }, { 0, 1, 0 }, { 1, 0, 0 }, 3), 100.0f);
+  EXPECT_NEAR(CaughtShare(receiver, RectangleLamp{ { 0, 0, 1 }, { 0, 0, -1 }, 1.0, 1.0, 5.0 }),
+    share, ShareTolerance(share));
+  const Surface lamp =
+    Shapes::WithExitance(Shapes::Rectangle({ -0.5, -0.5, 1 }, { 0, 1, 0 }, { 1, 0, 0 }, 3), 100.0f);
   EXPECT_NEAR(
     CaughtShare(Shapes::Together(receiver, lamp), EmittingFacets{}), share, ShareTolerance(share));
 }
@@ -155,8 +158,7 @@ TEST(Parallel, LightsAPlaneEvenly)
   const Scene scene(floor);
   const glm::dvec3 direction(1.0, 0.5, -0.7);
   const double exact = 800.0 * 0.7 / glm::length(direction);
-  const IlluminationMap map =
-    Traced(scene, ParallelLight{ direction, 800.0 }, Sampling::Random);
+  const IlluminationMap map = Traced(scene, ParallelLight{ direction, 800.0 }, Sampling::Random);
   ExpectErrorIsNoise(Compare(scene, map.front.direct, map.front.standardError,
                        std::vector<double>(floor.points.size(), exact)),
     floor.points.size());
@@ -170,7 +172,8 @@ TEST(WholeSky, IsSeenWholeByVertexNormalisedOnly)
   const std::vector<double> exact(scene.Vertices().size(), Pi * 100.0);
   TraceSettings settings;
   settings.photons = 4'000'000;
-  const auto mean = [&](Registration registration) {
+  const auto mean = [&](Registration registration)
+  {
     settings.registration = registration;
     const IlluminationMap map =
       TraceIlluminationMap(scene, UniformSky{ { 0, 0, 1 }, 100.0, true }, settings);
@@ -178,10 +181,9 @@ TEST(WholeSky, IsSeenWholeByVertexNormalisedOnly)
   };
   // Mean of (1 + cos a) / 2 over the facets.
   const Surface surface = Shapes::Icosphere(1, Facing::Outward);
-  const std::vector<double> ring =
-    RingMeans(surface, [](const glm::dvec3& point, const glm::dvec3& normal) {
-      return 0.5 * (1.0 + glm::dot(glm::normalize(point), normal));
-    });
+  const std::vector<double> ring = RingMeans(surface,
+    [](const glm::dvec3& point, const glm::dvec3& normal)
+    { return 0.5 * (1.0 + glm::dot(glm::normalize(point), normal)); });
   const double expected = AreaMean(scene, ring);
   // 4e6 photons, all of which would have to be independent: 4 / sqrt(4e6).
   EXPECT_NEAR(mean(Registration::FacetRatio), expected, 0.002);

@@ -31,7 +31,8 @@ vtkDataArray* CheckedArray(const SceneBlock& block, const std::string& name)
   const int components = array->GetNumberOfComponents();
   if (components != 1 && components != 3)
   {
-    throw InputError(where + " has " + std::to_string(components) + " components; 1 or 3 are wanted");
+    throw InputError(
+      where + " has " + std::to_string(components) + " components; 1 or 3 are wanted");
   }
   if (array->GetNumberOfTuples() != block.data->GetNumberOfCells())
   {

@@ -34,9 +34,8 @@ public:
     , VertexAreas(vertexAreas)
     , Areas(static_cast<std::size_t>(points), 0.0)
   {
-    this->ForEach([&](std::size_t vertex, std::size_t point) {
-      this->Areas[point] += this->VertexAreas[vertex];
-    });
+    this->ForEach([&](std::size_t vertex, std::size_t point)
+      { this->Areas[point] += this->VertexAreas[vertex]; });
   }
 
   /// Calls f(vertex of the scene, point of the block).
@@ -52,12 +51,14 @@ public:
   std::vector<double> Mean(const std::vector<double>& values) const
   {
     std::vector<double> mean(this->Areas.size(), 0.0);
-    this->ForEach([&](std::size_t vertex, std::size_t point) {
-      if (this->Areas[point] > 0.0)
+    this->ForEach(
+      [&](std::size_t vertex, std::size_t point)
       {
-        mean[point] += values[vertex] * (this->VertexAreas[vertex] / this->Areas[point]);
-      }
-    });
+        if (this->Areas[point] > 0.0)
+        {
+          mean[point] += values[vertex] * (this->VertexAreas[vertex] / this->Areas[point]);
+        }
+      });
     return mean;
   }
 
@@ -65,13 +66,15 @@ public:
   std::vector<double> MeanError(const std::vector<double>& errors) const
   {
     std::vector<double> error(this->Areas.size(), 0.0);
-    this->ForEach([&](std::size_t vertex, std::size_t point) {
-      if (this->Areas[point] > 0.0)
+    this->ForEach(
+      [&](std::size_t vertex, std::size_t point)
       {
-        error[point] =
-          std::hypot(error[point], errors[vertex] * (this->VertexAreas[vertex] / this->Areas[point]));
-      }
-    });
+        if (this->Areas[point] > 0.0)
+        {
+          error[point] = std::hypot(
+            error[point], errors[vertex] * (this->VertexAreas[vertex] / this->Areas[point]));
+        }
+      });
     return error;
   }
 
@@ -192,15 +195,18 @@ std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTranspor
       notes.push_back("the points" + block.name + " had no normals; they were computed");
     }
   }
-  const auto count = [&](std::size_t number, const std::string& what) {
+  const auto count = [&](std::size_t number, const std::string& what)
+  {
     if (number > 0)
     {
       notes.push_back(std::to_string(number) + " " + what);
     }
   };
   const PhotonTransport::SceneNotes& found = scene.Notes();
-  count(found.replacedNormals, "point normals were zero or not finite; the mean of the facets around the point stands in");
-  count(found.turnedFacets, "triangles wind against their point normals; the normals decide which side is the front");
+  count(found.replacedNormals,
+    "point normals were zero or not finite; the mean of the facets around the point stands in");
+  count(found.turnedFacets,
+    "triangles wind against their point normals; the normals decide which side is the front");
   count(found.droppedFacets, "triangles have no area and were left out");
   count(blocks.BlocksNotPolygonal(), "blocks are not polygonal and were passed through unlit");
   return notes;

@@ -18,8 +18,8 @@ class Scene;
 }
 
 /// Adds the map's point arrays to a block's output. @param output Same points as `block.data`.
-void AddPointArrays(vtkPolyData* output, const SceneBlock& block, const PhotonTransport::Scene& scene,
-  const PhotonTransport::IlluminationMap& map);
+void AddPointArrays(vtkPolyData* output, const SceneBlock& block,
+  const PhotonTransport::Scene& scene, const PhotonTransport::IlluminationMap& map);
 
 /// Adds what concerns the run as a whole: photon balance, time, effects, notes.
 void AddFieldData(vtkFieldData* output, const PhotonTransport::IlluminationMap& map,

@@ -193,8 +193,7 @@ void SceneBlocks::Append(SceneBlock block, const SurfaceDescription& description
   }
   if (!description.exitanceArray.empty())
   {
-    const CellValues exitance(
-      block, description.exitanceArray, { "exitance", VTK_FLOAT_MAX });
+    const CellValues exitance(block, description.exitanceArray, { "exitance", VTK_FLOAT_MAX });
     for (const vtkIdType cell : block.cellOfFacet)
     {
       this->All.exitance.push_back(exitance.Of(cell));

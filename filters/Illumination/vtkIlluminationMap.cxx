@@ -83,14 +83,21 @@ PhotonTransport::TraceSettings SettingsOf(vtkIlluminationMap* filter)
   return settings;
 }
 
+/// ParaView's lists of arrays send the word "None" for no array.
+std::string ArrayName(const char* name)
+{
+  const std::string given = name ? name : "";
+  return given == "None" ? "" : given;
+}
+
 SurfaceDescription DescriptionOf(vtkIlluminationMap* filter)
 {
   SurfaceDescription description;
   description.reflectance = filter->GetReflectance();
-  description.reflectanceArray = filter->GetReflectanceArray();
+  description.reflectanceArray = ArrayName(filter->GetReflectanceArray());
   if (filter->GetLampType() == vtkIlluminationMap::EMITTING_FACETS)
   {
-    description.exitanceArray = filter->GetExitanceArray();
+    description.exitanceArray = ArrayName(filter->GetExitanceArray());
     if (description.exitanceArray.empty())
     {
       throw InputError("emitting facets need an ExitanceArray (lm/m^2 per cell); none is named");
@@ -247,9 +254,8 @@ void vtkIlluminationMap::Trace(vtkDataObject* output)
 void vtkIlluminationMap::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto vector = [](const double* v) {
-    return std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " + std::to_string(v[2]);
-  };
+  const auto vector = [](const double* v)
+  { return std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " + std::to_string(v[2]); };
   os << indent << "LampType: " << this->LampType << "\n"
      << indent << "LampPosition: " << vector(this->LampPosition) << "\n"
      << indent << "LampDirection: " << vector(this->LampDirection) << "\n"

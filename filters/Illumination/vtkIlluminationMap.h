@@ -23,8 +23,8 @@
  *  - PhotonHits (vtkIdType): photons that hit the front of a facet around the point.
  * and these field data arrays: PhotonsEmitted = PhotonsAbsorbed + PhotonsEscaped + PhotonsCutOff,
  * EmittedFlux (lm), FluxCutByWeightBound (lm), Seconds, PhotonsPerSecond, SegmentsPerSecond,
- * StoppedBy, Effects (which are on or off, and why), Notes (what was found and mended in the input),
- * IlluminationMapsVersion.
+ * StoppedBy, Effects (which are on or off, and why), Notes (what was found and mended in the
+ * input), IlluminationMapsVersion.
  *
  * Give watts for lumens and the result is irradiance in W/m^2.
  *
@@ -99,8 +99,8 @@ public:
 
   ///@{
   /**
-   * Width and height of a rectangle, or the radius of a disk first, in the data's length unit; >= 0.
-   * The width runs along z x LampDirection (along x for a lamp that shines straight up or down).
+   * Width and height of a rectangle, or the radius of a disk first, in the data's length unit; >=
+   * 0. The width runs along z x LampDirection (along x for a lamp that shines straight up or down).
    * Default: (1, 1).
    */
   vtkSetVector2Macro(LampSize, double);
@@ -152,7 +152,7 @@ public:
   ///@{
   /**
    * Name of a cell array of diffuse reflectances in [0, 1], 1 or 3 components (3 are averaged).
-   * Default: none (empty).
+   * Default: none (empty, or "None").
    */
   vtkSetStdStringFromCharMacro(ReflectanceArray);
   vtkGetCharFromStdStringMacro(ReflectanceArray);
@@ -161,7 +161,7 @@ public:
   ///@{
   /**
    * Name of a cell array of luminous exitances, lm/m^2, >= 0, 1 or 3 components (3 are averaged),
-   * for EMITTING_FACETS: the cells' fronts shine diffusely. Default: none (empty).
+   * for EMITTING_FACETS: the cells' fronts shine diffusely. Default: none (empty, or "None").
    */
   vtkSetStdStringFromCharMacro(ExitanceArray);
   vtkGetCharFromStdStringMacro(ExitanceArray);
@@ -247,8 +247,8 @@ public:
   ///@{
   /**
    * Largest factor by which compensation may raise a hit, [1, 1048576]. Ordinary surfaces stay
-   * below 2 with VERTEX_NORMALISED; FACET_RATIO has no bound of its own. What is cut off is reported
-   * in FluxCutByWeightBound. Default: 16.
+   * below 2 with VERTEX_NORMALISED; FACET_RATIO has no bound of its own. What is cut off is
+   * reported in FluxCutByWeightBound. Default: 16.
    */
   vtkSetMacro(WeightBound, double);
   vtkGetMacro(WeightBound, double);

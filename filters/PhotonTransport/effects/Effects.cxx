@@ -35,11 +35,9 @@ std::string InterreflectionReason(const Scene& scene, const TraceSettings& setti
   {
     return "interreflection: off, no triangle reflects";
   }
-  const std::string share =
-    Line(reflecting, " of ", scene.Facets().size(), " triangles reflect");
-  return settings.interreflection
-    ? "interreflection: on, " + share
-    : "interreflection: off, switched off though " + share +
+  const std::string share = Line(reflecting, " of ", scene.Facets().size(), " triangles reflect");
+  return settings.interreflection ? "interreflection: on, " + share
+                                  : "interreflection: off, switched off though " + share +
       "; the photons it would have carried on are counted as cut off";
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/lights/Emitter.h"
 
+#include "PhotonTransport/geometry/BoundingCircle.h"
 #include "PhotonTransport/sampling/Warps.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 
@@ -65,7 +66,8 @@ glm::dvec3 CheckedDirection(const glm::dvec3& direction)
     std::max({ std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z) });
   if (!IsFinite(direction) || !(largest > 0.0))
   {
-    RefuseLamp("lamp direction " + Text(direction) + " has no direction: it must be finite and not zero");
+    RefuseLamp(
+      "lamp direction " + Text(direction) + " has no direction: it must be finite and not zero");
   }
   return glm::normalize(direction / largest);
 }
@@ -88,40 +90,21 @@ Ray RayFrom(glm::dvec3 origin, const glm::vec3& direction)
   return { glm::vec3(origin), direction };
 }
 
-/// Circle about points of a plane: moves towards the farthest point by shrinking steps (Badoiu and
-/// Clarkson 2003, within 1/steps of the smallest), then takes the radius that holds them all.
-struct Circle
+/// The scene's shadow under parallel light, in the plane of the frame's tangents.
+std::vector<glm::dvec2> Shadow(const Scene& scene, const Frame& frame)
 {
-  glm::dvec3 centre;
-  double radius;
-};
-
-Circle BoundingCircle(const Scene& scene, const glm::dvec3& axis)
-{
-  std::vector<glm::dvec3> shadows;
-  shadows.reserve(3 * scene.Facets().size());
-  for (std::uint32_t v = 0; v < scene.Vertices().size(); ++v)
+  std::vector<glm::dvec2> shadow;
+  shadow.reserve(scene.Vertices().size());
+  for (const Vertex& vertex : scene.Vertices())
   {
-    if (scene.Vertices()[v].inverseThreeAreas > 0.0f)
+    if (vertex.inverseThreeAreas > 0.0f)
     {
-      const glm::dvec3 p(scene.Vertices()[v].position);
-      shadows.push_back(p - glm::dot(p, axis) * axis);
+      const glm::dvec3 p(vertex.position);
+      shadow.emplace_back(
+        glm::dot(p, glm::dvec3(frame.tangent)), glm::dot(p, glm::dvec3(frame.bitangent)));
     }
   }
-  const auto farthest = [&](const glm::dvec3& from) {
-    return *std::max_element(
-      shadows.begin(), shadows.end(), [&](const glm::dvec3& a, const glm::dvec3& b) {
-        return glm::dot(a - from, a - from) < glm::dot(b - from, b - from);
-      });
-  };
-  Circle circle{ shadows.front(), 0.0 };
-  constexpr int Steps = 100;
-  for (int step = 1; step <= Steps; ++step)
-  {
-    circle.centre += (farthest(circle.centre) - circle.centre) / (step + 1.0);
-  }
-  circle.radius = glm::length(farthest(circle.centre) - circle.centre) + FloatSlack;
-  return circle;
+  return shadow;
 }
 
 struct Prepared
@@ -133,19 +116,22 @@ struct Prepared
 Prepared Prepare(const ParallelLight& light, const Scene& scene)
 {
   const glm::dvec3 direction = CheckedDirection(light.direction);
-  const Circle circle = BoundingCircle(scene, direction);
   const Frame frame = FrameOf(direction);
+  Circle circle = BoundingCircle(Shadow(scene, frame));
+  circle.radius += FloatSlack;
   const auto radius = static_cast<float>(circle.radius);
-  ParallelEmitter emitter{ glm::vec3(circle.centre - SceneRadius * direction),
-    radius * frame.tangent, radius * frame.bitangent, frame.normal };
+  const glm::dvec3 centre = circle.centre.x * glm::dvec3(frame.tangent) +
+    circle.centre.y * glm::dvec3(frame.bitangent) - SceneRadius * direction;
   const double area = Pi * circle.radius * circle.radius * scene.SquareMetresPerSceneArea();
-  return { emitter, CheckedAmount(light.illuminance, "illuminance") * area };
+  return { ParallelEmitter{
+             glm::vec3(centre), radius * frame.tangent, radius * frame.bitangent, frame.normal },
+    CheckedAmount(light.illuminance, "illuminance") * area };
 }
 
 Prepared Prepare(const PointLamp& lamp, const Scene& scene)
 {
-  return { ConeEmitter{ CheckedPosition(lamp.position, scene), FrameOf({ 0.0, 0.0, 1.0 }), 0.0f,
-             -1.0f },
+  return { ConeEmitter{
+             CheckedPosition(lamp.position, scene), FrameOf({ 0.0, 0.0, 1.0 }), 0.0f, -1.0f },
     CheckedAmount(lamp.flux, "luminous flux") };
 }
 
@@ -232,8 +218,8 @@ Prepared Prepare(const UniformSky& sky, const Scene& scene)
   // Each direction sends L times the ball's cross-section; integrate over the solid angle.
   const double crossSection = Pi * radius * radius * scene.SquareMetresPerSceneArea();
   const double solidAngle = sky.wholeSphere ? 4.0 * Pi : 2.0 * Pi;
-  return { SkyEmitter{ FrameOf(CheckedDirection(sky.up)), sky.wholeSphere,
-             static_cast<float>(radius) },
+  return { SkyEmitter{
+             FrameOf(CheckedDirection(sky.up)), sky.wholeSphere, static_cast<float>(radius) },
     CheckedAmount(sky.luminance, "luminance") * crossSection * solidAngle };
 }
 
@@ -255,15 +241,16 @@ Ray ParallelEmitter::Emit(const PhotonSample& sample) const
 Ray ConeEmitter::Emit(const PhotonSample& sample) const
 {
   return RayFrom(this->position,
-    this->axis.ToWorld(PowerCosineCone(
-      sample.Emission(0), sample.Emission(1), this->exponent, this->cosMax)));
+    this->axis.ToWorld(
+      PowerCosineCone(sample.Emission(0), sample.Emission(1), this->exponent, this->cosMax)));
 }
 
 Ray PanelEmitter::Emit(const PhotonSample& sample) const
 {
   const float u = sample.Emission(0);
   const float v = sample.Emission(1);
-  const glm::dvec2 p(this->round ? ConcentricDisk(u, v) : glm::vec2(2.0f * u - 1.0f, 2.0f * v - 1.0f));
+  const glm::dvec2 p(
+    this->round ? ConcentricDisk(u, v) : glm::vec2(2.0f * u - 1.0f, 2.0f * v - 1.0f));
   return RayFrom(this->centre + p.x * this->acrossU + p.y * this->acrossV,
     this->frame.ToWorld(CosineHemisphere(sample.Emission(2), sample.Emission(3))));
 }
@@ -290,7 +277,8 @@ Ray SkyEmitter::Emit(const PhotonSample& sample) const
   }
   const Frame frame(this->up.ToWorld(from));
   const glm::vec2 p = this->radius * ConcentricDisk(sample.Emission(0), sample.Emission(1));
-  return { p.x * frame.tangent + p.y * frame.bitangent + this->radius * frame.normal, -frame.normal };
+  return { p.x * frame.tangent + p.y * frame.bitangent + this->radius * frame.normal,
+    -frame.normal };
 }
 
 } // namespace PhotonTransport

@@ -38,8 +38,8 @@ struct SpotLamp
 {
   glm::dvec3 position{ 0.0 };
   glm::dvec3 direction{ 0.0, 0.0, -1.0 };
-  double halfAngle = 0.5;  ///< Radians, (0, pi]; at most pi/2 with an exponent above 0.
-  double exponent = 0.0;   ///< n >= 0; 0 is even light.
+  double halfAngle = 0.5; ///< Radians, (0, pi]; at most pi/2 with an exponent above 0.
+  double exponent = 0.0;  ///< n >= 0; 0 is even light.
   double flux = 1000.0;
 };
 

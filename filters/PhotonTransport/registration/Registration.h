@@ -26,8 +26,7 @@ enum class Registration : int
 
 /// Area that the ring of `v` shows to light arriving from `towards`, over its whole area:
 /// sum (towards . a_f)^+ / sum |a_f|. Only grazing light needs the walk round the ring.
-inline float ShownArea(
-  const Scene& scene, std::uint32_t v, const glm::vec3& towards, float side)
+inline float ShownArea(const Scene& scene, std::uint32_t v, const glm::vec3& towards, float side)
 {
   float sum = 0.0f;
   for (const std::uint32_t f : scene.Rings().Of(v))
@@ -38,7 +37,8 @@ inline float ShownArea(
 }
 
 /// Weights of one hit for the three vertices of its facet, before the bound; each within
-/// [0, LargestFactor] times its barycentric coordinate. @param towards Unit, back along the ray. @param side +1 on the front, -1 on the back.
+/// [0, LargestFactor] times its barycentric coordinate. @param towards Unit, back along the ray.
+/// @param side +1 on the front, -1 on the back.
 template <Registration Kind>
 glm::vec3 HitWeights(const Scene& scene, const Facet& facet, const glm::vec3& barycentric,
   const glm::vec3& towards, float side)
@@ -126,8 +126,8 @@ public:
   }
 
 private:
-  void Register(const Ray& ray, const Hit& hit, float side, bool direct,
-    std::vector<VertexSums>& map) const
+  void Register(
+    const Ray& ray, const Hit& hit, float side, bool direct, std::vector<VertexSums>& map) const
   {
     const Facet& facet = this->Surroundings.Facets()[hit.facet];
     const glm::vec3 weights =

@@ -32,10 +32,11 @@ inline glm::vec2 ConcentricDisk(float u, float v)
   const float angle = 0.78539816339744831f * ((wide ? b : a) / radius); // within +-pi/4
   // Taylor, error below 3e-8 within +-pi/4.
   const float s = angle * angle;
-  const float sine = angle *
-    (1.0f + s * (-1.0f / 6 + s * (1.0f / 120 + s * (-1.0f / 5040 + s * (1.0f / 362880)))));
+  const float sine =
+    angle * (1.0f + s * (-1.0f / 6 + s * (1.0f / 120 + s * (-1.0f / 5040 + s * (1.0f / 362880)))));
   const float cosine = 1.0f + s * (-0.5f + s * (1.0f / 24 + s * (-1.0f / 720 + s / 40320)));
-  return wide ? glm::vec2(radius * cosine, radius * sine) : glm::vec2(radius * sine, radius * cosine);
+  return wide ? glm::vec2(radius * cosine, radius * sine)
+              : glm::vec2(radius * sine, radius * cosine);
 }
 
 inline float SquaredRadius(const glm::vec2& p)

@@ -25,8 +25,8 @@ void KeepFirstMessage(void* message, RTCError, const char* text)
 }
 
 template <typename Element>
-void ShareBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
-  const std::vector<Element>& elements)
+void ShareBuffer(
+  RTCGeometry geometry, RTCBufferType type, RTCFormat format, const std::vector<Element>& elements)
 {
   void* buffer =
     rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Element), elements.size());

@@ -31,7 +31,8 @@ constexpr float NoTilt = 1e-4f;
 /// Unit length, or zero for a normal that says nothing.
 glm::dvec3 UsableNormal(const glm::dvec3& normal)
 {
-  const double largest = std::max({ std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z) });
+  const double largest =
+    std::max({ std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z) });
   // max() may drop a NaN, the sum does not.
   if (!(largest > 0.0) || !std::isfinite(normal.x + normal.y + normal.z))
   {
@@ -103,8 +104,8 @@ void Scene::AddFacets(const Surface& surface, const std::vector<glm::vec3>& posi
       ++this->Found.turnedFacets;
     }
     this->Found.reflectingFacets += surface.reflectance[f] > 0.0f;
-    this->FacetRecords.push_back({ ids, surface.reflectance[f], glm::vec3(areaVector / area),
-      EdgeMargin(a, b, c, area) });
+    this->FacetRecords.push_back(
+      { ids, surface.reflectance[f], glm::vec3(areaVector / area), EdgeMargin(a, b, c, area) });
     this->FacetAreas.emplace_back(areaVector);
     if (emits)
     {
@@ -166,8 +167,8 @@ Vertex Scene::MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const g
   const double sinTilt =
     leastCosine > 0.0 ? std::sqrt(std::max(0.0, 1.0 - leastCosine * leastCosine)) : 2.0;
   this->Found.tiltedVertices += sinTilt > NoTilt;
-  return { position, glm::vec3(normal), glm::vec3(areaVectors / areas),
-    static_cast<float>(sinTilt), static_cast<float>(1.0 / areas) };
+  return { position, glm::vec3(normal), glm::vec3(areaVectors / areas), static_cast<float>(sinTilt),
+    static_cast<float>(1.0 / areas) };
 }
 
 void Scene::BuildBvh(const std::vector<glm::vec3>& positions)

@@ -86,7 +86,8 @@ void Validate(const Surface& surface)
     if (!surface.exitance.empty() &&
       !(surface.exitance[f] >= 0.0f && std::isfinite(surface.exitance[f])))
     {
-      Refuse(Where::Facet, f, "exitance ", surface.exitance[f], " lm/m^2 is not a finite number >= 0");
+      Refuse(
+        Where::Facet, f, "exitance ", surface.exitance[f], " lm/m^2 is not a finite number >= 0");
     }
   }
 }

@@ -44,9 +44,8 @@ public:
     const std::uint64_t slice = SliceSize(this->Surroundings);
     const auto total = static_cast<double>(blocks * this->Settings.replicates);
     std::uint64_t before = 0;
-    const Monitor report = [&](std::uint64_t done) {
-      return monitor(static_cast<double>(before + done) / total);
-    };
+    const Monitor report = [&](std::uint64_t done)
+    { return monitor(static_cast<double>(before + done) / total); };
     for (std::uint64_t first = 0; first < blocks; first += slice)
     {
       const std::uint64_t count = std::min(slice, blocks - first);
@@ -74,8 +73,7 @@ public:
       cut += replicate.cutByWeightBound;
     }
     const auto emitted = static_cast<double>(map.balance.emitted);
-    map.fluxCutByWeightBound =
-      emitted > 0.0 ? map.flux / emitted * FromCoarseFixedPoint(cut) : 0.0;
+    map.fluxCutByWeightBound = emitted > 0.0 ? map.flux / emitted * FromCoarseFixedPoint(cut) : 0.0;
     map.front = this->Side(&IlluminationSums::front, map);
     if (this->Settings.registerBackSide)
     {

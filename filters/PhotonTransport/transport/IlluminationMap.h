@@ -17,9 +17,9 @@ namespace PhotonTransport
 /// Illuminance at the vertices of one side, lx.
 struct SideMap
 {
-  std::vector<double> direct;        ///< Straight from the lamp.
-  std::vector<double> indirect;      ///< After at least one reflection.
-  std::vector<double> standardError; ///< Of direct + indirect; covers noise, not facet size.
+  std::vector<double> direct;            ///< Straight from the lamp.
+  std::vector<double> indirect;          ///< After at least one reflection.
+  std::vector<double> standardError;     ///< Of direct + indirect; covers noise, not facet size.
   std::vector<std::uint64_t> photonHits; ///< On this side of the facets around the vertex.
 };
 

@@ -121,7 +121,8 @@ bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint
   std::atomic<std::uint64_t> done{ 0 };
   const std::thread::id caller = std::this_thread::get_id();
 
-  const auto work = [&](const tbb::blocked_range<std::uint64_t>& blocks) {
+  const auto work = [&](const tbb::blocked_range<std::uint64_t>& blocks)
+  {
     IlluminationSums& own =
       this->Pool->sums[static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())];
     for (std::uint64_t block = blocks.begin(); block < blocks.end() && goOn; ++block)
@@ -134,9 +135,8 @@ bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint
       }
     }
   };
-  this->Pool->arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(first, first + count), work);
-  });
+  this->Pool->arena.execute(
+    [&] { tbb::parallel_for(tbb::blocked_range<std::uint64_t>(first, first + count), work); });
   for (IlluminationSums& own : this->Pool->sums)
   {
     MoveInto(sums, own);

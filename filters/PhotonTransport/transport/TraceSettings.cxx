@@ -21,7 +21,8 @@ void Require(bool holds, const std::string& message)
 void Validate(const TraceSettings& settings)
 {
   Require(settings.replicates >= 2,
-    "the number of replicates is " + std::to_string(settings.replicates) + "; it must be 2 or more");
+    "the number of replicates is " + std::to_string(settings.replicates) +
+      "; it must be 2 or more");
   // A vertex that every photon hits at full weight sums up to 2^33 of them.
   constexpr std::uint64_t MostPhotons = 10'000'000'000u;
   Require(settings.photons >= 1 && settings.photons <= MostPhotons,
@@ -32,7 +33,8 @@ void Validate(const TraceSettings& settings)
       "; it must be between 1 and 1048576");
   Require(settings.maximumPathLength >= 1, "the maximum path length is 0; it must be 1 or more");
   Require(settings.threads >= 0,
-    "the number of threads is " + std::to_string(settings.threads) + "; it must be 0 (all) or more");
+    "the number of threads is " + std::to_string(settings.threads) +
+      "; it must be 0 (all) or more");
 }
 
 } // namespace PhotonTransport

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All blocks of a composite data set are one scene, and its structure comes back.
+#include "TestTools.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPlaneSource.h"
+#include "vtkSphereSource.h"
+
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> Sphere()
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetCenter(0.0, 0.0, 1.0);
+  source->Update();
+  return source->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> Floor()
+{
+  vtkNew<vtkPlaneSource> source;
+  source->SetOrigin(-2.0, -2.0, 0.0);
+  source->SetPoint1(2.0, -2.0, 0.0);
+  source->SetPoint2(-2.0, 2.0, 0.0);
+  source->SetResolution(20, 20);
+  source->Update();
+  return source->GetOutput();
+}
+
+/// What the two surfaces give as one, without blocks.
+void Appended(vtkPolyData* first, vtkPolyData* second, vtkIlluminationMap* illuminate)
+{
+  vtkNew<vtkAppendPolyData> append;
+  append->AddInputData(first);
+  append->AddInputData(second);
+  append->Update();
+  illuminate->SetInputData(append->GetOutput());
+  illuminate->SetPhotons(50000);
+  illuminate->Update();
+}
+
+void CheckBlock(
+  vtkPolyData* block, vtkPolyData* source, vtkDataArray* whole, vtkIdType offset, Checks& check)
+{
+  vtkDataArray* map = block ? PointArray(block, "Illuminance") : nullptr;
+  check(map && block->GetPoints() == source->GetPoints(), "the block comes back with a map");
+  for (vtkIdType i = 0; map && i < map->GetNumberOfTuples(); ++i)
+  {
+    check(map->GetTuple1(i) == whole->GetTuple1(offset + i), "the block's map is the scene's");
+  }
+}
+
+} // namespace
+
+int TestIlluminationMapComposite(int, char*[])
+{
+  Checks check;
+  const auto sphere = Sphere();
+  const auto floor = Floor();
+  vtkNew<vtkIlluminationMap> reference;
+  Appended(sphere, floor, reference);
+  vtkDataArray* whole = PointArray(reference->GetOutput(), "Illuminance");
+  // The middle of the floor is in the sphere's shadow, from straight above.
+  check(whole->GetTuple1(sphere->GetNumberOfPoints() + 220) <
+      0.1 * whole->GetTuple1(sphere->GetNumberOfPoints()),
+    "blocks shade each other");
+
+  vtkNew<vtkMultiBlockDataSet> inner;
+  inner->SetBlock(0, floor);
+  vtkNew<vtkImageData> notASurface;
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, sphere);
+  blocks->SetBlock(1, notASurface);
+  blocks->SetBlock(3, inner);
+  vtkNew<vtkIlluminationMap> illuminate;
+  illuminate->SetInputData(blocks);
+  illuminate->SetPhotons(50000);
+  illuminate->Update();
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(illuminate->GetOutputDataObject(0));
+  check(output && output->GetNumberOfBlocks() == 4 && !output->GetBlock(2), "structure");
+  if (output)
+  {
+    CheckBlock(vtkPolyData::SafeDownCast(output->GetBlock(0)), sphere, whole, 0, check);
+    auto* nested = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(3));
+    check(nested != nullptr, "nested structure");
+    CheckBlock(nested ? vtkPolyData::SafeDownCast(nested->GetBlock(0)) : nullptr, floor, whole,
+      sphere->GetNumberOfPoints(), check);
+    check(vtkImageData::SafeDownCast(output->GetBlock(1)) != nullptr, "other blocks pass through");
+    check(FieldText(output, "Notes").find("1 blocks are not polygonal") != std::string::npos,
+      "and are noted");
+  }
+
+  vtkNew<vtkPartitionedDataSetCollection> collection;
+  collection->SetPartition(0, 0, sphere);
+  collection->SetPartition(1, 0, floor);
+  illuminate->SetInputData(collection);
+  illuminate->Update();
+  auto* parts = vtkPartitionedDataSetCollection::SafeDownCast(illuminate->GetOutputDataObject(0));
+  check(parts && parts->GetNumberOfPartitionedDataSets() == 2, "collection");
+  if (parts)
+  {
+    CheckBlock(vtkPolyData::SafeDownCast(parts->GetPartitionAsDataObject(1, 0)), floor, whole,
+      sphere->GetNumberOfPoints(), check);
+  }
+  illuminate->SetInputData(floor); // back to a plain surface
+  illuminate->Update();
+  check(illuminate->GetOutput() && PointArray(illuminate->GetOutput(), "Illuminance"),
+    "the type of the output follows the input");
+  return check.Failures();
+}
