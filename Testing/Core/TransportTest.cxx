@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 using namespace PhotonTransport;
@@ -66,16 +67,25 @@ TEST(ReplicateStatistics, WeighsReplicatesByTheirPhotons)
   EXPECT_DOUBLE_EQ(statistics.StandardError(), std::sqrt((300.0 * 1.0 + 100.0 * 9.0) / 400.0));
 }
 
+std::string NameOf(const testing::TestParamInfo<Registration>& instance)
+{
+  switch (instance.param)
+  {
+    case Registration::Flat:
+      return "Flat";
+    case Registration::FacetRatio:
+      return "FacetRatio";
+    default:
+      return "VertexNormalised";
+  }
+}
+
 class EveryRegistration : public testing::TestWithParam<Registration>
 {
 };
 INSTANTIATE_TEST_SUITE_P(Transport, EveryRegistration,
   testing::Values(Registration::Flat, Registration::FacetRatio, Registration::VertexNormalised),
-  [](const auto& instance)
-  {
-    constexpr const char* Names[] = { "Flat", "FacetRatio", "VertexNormalised" };
-    return Names[static_cast<int>(instance.param)];
-  });
+  NameOf);
 
 TEST_P(EveryRegistration, ThreadsDoNotChangeABit)
 {
