@@ -75,16 +75,23 @@ int ThreadCount(const TraceSettings& settings)
 struct PhotonTracer::Workers
 {
   explicit Workers(int threads)
-    // oneTBB by itself never runs more threads than there are cores.
-    : limit(tbb::global_control::max_allowed_parallelism,
-        std::max(static_cast<std::size_t>(threads),
-          tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)))
+    : limit(MoreThanCores(threads))
     , arena(threads)
     , sums(static_cast<std::size_t>(threads))
   {
   }
 
-  tbb::global_control limit;
+  /// oneTBB by itself never runs more threads than there are cores.
+  static std::unique_ptr<tbb::global_control> MoreThanCores(int threads)
+  {
+    constexpr auto Limit = tbb::global_control::max_allowed_parallelism;
+    const auto wanted = static_cast<std::size_t>(threads);
+    return wanted > tbb::global_control::active_value(Limit)
+      ? std::make_unique<tbb::global_control>(Limit, wanted)
+      : nullptr;
+  }
+
+  std::unique_ptr<tbb::global_control> limit;
   tbb::task_arena arena;
   std::vector<IlluminationSums> sums;
 };
