@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/statistics/ReplicateStatistics.h"
-#include "PhotonTransport/transport/IlluminationMap.h"
 #include "PhotonTransport/transport/PhotonTracer.h"
 
 #include "Shapes.h"
+#include "TracedMap.h"
 
 #include <gtest/gtest.h>
 
@@ -173,9 +173,8 @@ TEST(Transport, InterreflectionSwitchedOffCountsWhatItCutOff)
 {
   const Scene scene(Room(0.5f));
   TraceSettings settings;
-  settings.photons = 100000;
   settings.interreflection = false;
-  const IlluminationMap map = TraceIlluminationMap(scene, RoomLamp, settings);
+  const TracedMap map(scene, RoomLamp, settings, 100000);
   ExpectBalanced(map.balance);
   EXPECT_EQ(map.balance.segments, map.balance.emitted);
   // Half of the photons survive their first hit: a binomial, 4 standard deviations.
@@ -191,40 +190,11 @@ TEST(Transport, PathLengthLimitIsCounted)
 {
   const Scene scene(Room(1.0f)); // nothing absorbs: only the limit ends a photon
   TraceSettings settings;
-  settings.photons = 2048;
   settings.maximumPathLength = 50;
-  const IlluminationMap map = TraceIlluminationMap(scene, RoomLamp, settings);
+  const TracedMap map(scene, RoomLamp, settings, 2048);
   EXPECT_EQ(map.balance.cutOff, 2048u);
   EXPECT_EQ(map.balance.segments, 2048u * 50u);
   ExpectBalanced(map.balance);
-}
-
-// A stopped run is a valid map of the photons it traced.
-TEST(Transport, StoppedRunIsAValidMap)
-{
-  const Scene scene(Room(0.0f));
-  TraceSettings settings;
-  settings.photons = 100'000'000;
-  settings.registration = Registration::Flat;
-  double reached = 0.0;
-  const IlluminationMap map = TraceIlluminationMap(scene, RoomLamp, settings,
-    [&](double fraction)
-    {
-      EXPECT_GE(fraction, reached);
-      reached = fraction;
-      return fraction < 0.002;
-    });
-  EXPECT_FALSE(map.complete);
-  EXPECT_GE(map.balance.emitted, 100'000u);
-  EXPECT_LT(map.balance.emitted, 10'000'000u);
-  ExpectBalanced(map.balance);
-  // Every photon lands on a front of the closed room or on the sphere in it, so sum A E = flux.
-  double flux = 0.0;
-  for (std::size_t v = 0; v < scene.VertexAreas().size(); ++v)
-  {
-    flux += scene.VertexAreas()[v] * map.front.direct[v];
-  }
-  EXPECT_NEAR(flux, 1000.0, 1000.0 * 1e-6); // fixed-point and float weights
 }
 
 TEST(Transport, RefusesSettingsThatMakeNoSense)
@@ -236,8 +206,6 @@ TEST(Transport, RefusesSettingsThatMakeNoSense)
     spoil(settings);
     EXPECT_THROW(PhotonTracer(scene, RoomLamp, settings), InvalidInput);
   };
-  refused([](TraceSettings& s) { s.photons = 0; });
-  refused([](TraceSettings& s) { s.photons = 20'000'000'000u; });
   refused([](TraceSettings& s) { s.replicates = 1; });
   refused([](TraceSettings& s) { s.weightBound = 0.5f; });
   refused([](TraceSettings& s) { s.weightBound = std::nanf(""); });

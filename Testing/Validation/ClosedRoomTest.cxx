@@ -2,6 +2,7 @@
 // Interreflection in closed shapes: photon conservation, the furnace, no leaks.
 #include "Comparison.h"
 #include "Shapes.h"
+#include "TracedMap.h"
 
 #include <gtest/gtest.h>
 
@@ -60,14 +61,13 @@ TEST_P(ClosedShape, MeanIlluminanceIsTheFurnaces)
       area += a;
     }
     TraceSettings settings;
-    settings.photons = 500'000;
+    constexpr std::uint64_t Photons = 500'000;
     settings.registration = Registration::Flat;
-    const IlluminationMap map =
-      TraceIlluminationMap(scene, PointLamp{ GetParam().lamp, 1000.0 }, settings);
+    const TracedMap map(scene, PointLamp{ GetParam().lamp, 1000.0 }, settings, Photons);
     const double rho = reflectance;
     const double exact = 1000.0 / (area * (1.0 - rho));
-    const double spread = std::sqrt(rho / static_cast<double>(settings.photons)); // relative
-    constexpr double Rounding = 1e-6;                                             // float weights
+    const double spread = std::sqrt(rho / static_cast<double>(Photons)); // relative
+    constexpr double Rounding = 1e-6;                                    // float weights
     EXPECT_NEAR(AreaMean(scene, Total(map.front)) / exact, 1.0, 4.0 * spread + Rounding);
     EXPECT_EQ(map.balance.escaped, 0u);
     EXPECT_EQ(map.balance.cutOff, 0u);
@@ -85,8 +85,7 @@ TEST(Box, EveryRegistrationGivesTheFurnacesMean)
   {
     TraceSettings settings;
     settings.registration = static_cast<Registration>(kind);
-    const IlluminationMap map =
-      TraceIlluminationMap(scene, PointLamp{ { 0.5, 0.2, 1.2 }, 1000.0 }, settings);
+    const TracedMap map(scene, PointLamp{ { 0.5, 0.2, 1.2 }, 1000.0 }, settings, 1'000'000);
     EXPECT_NEAR(AreaMean(scene, Total(map.front)) / exact, 1.0, 4.0 * std::sqrt(0.9 / 1e6) + 1e-5);
   }
 }
@@ -96,11 +95,9 @@ TEST_P(ClosedShape, DoesNotLeak)
 {
   const Scene scene(Shapes::WithReflectance(GetParam().surface, 0.5f));
   TraceSettings settings;
-  settings.photons = 10'000'000;
   settings.registerBackSide = true;
   settings.registration = Registration::Flat;
-  const IlluminationMap map =
-    TraceIlluminationMap(scene, PointLamp{ GetParam().lamp, 1000.0 }, settings);
+  const TracedMap map(scene, PointLamp{ GetParam().lamp, 1000.0 }, settings, 10'000'000);
   EXPECT_EQ(map.balance.escaped, 0u);
   EXPECT_EQ(map.balance.absorbed, map.balance.emitted);
   for (const double back : Total(map.back))

@@ -82,12 +82,12 @@ std::vector<double> RingMeans(const Surface& surface, const Illuminance& illumin
   return sums;
 }
 
-std::vector<double> Total(const SideMap& side)
+std::vector<double> Total(const IlluminationMap& map)
 {
-  std::vector<double> total(side.direct);
+  std::vector<double> total(map.direct);
   for (std::size_t v = 0; v < total.size(); ++v)
   {
-    total[v] += side.indirect[v];
+    total[v] += map.indirect[v];
   }
   return total;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "PhotonTransport/scene/Scene.h"
-#include "PhotonTransport/transport/IlluminationMap.h"
+#include "PhotonTransport/transport/IlluminationRun.h"
 
 #include <glm/vec3.hpp>
 
@@ -35,7 +35,7 @@ std::vector<double> RingMeans(
   const PhotonTransport::Surface& surface, const Illuminance& illuminance);
 
 /// Direct + indirect, lx.
-std::vector<double> Total(const PhotonTransport::SideMap& side);
+std::vector<double> Total(const PhotonTransport::IlluminationMap& map);
 
 /// sum A E / sum A
 double AreaMean(const PhotonTransport::Scene& scene, const std::vector<double>& map);

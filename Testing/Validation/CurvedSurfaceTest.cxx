@@ -2,6 +2,7 @@
 // The paper's subject: coarse meshes of curved surfaces against the exact smooth surface.
 #include "Comparison.h"
 #include "Shapes.h"
+#include "TracedMap.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -77,9 +78,8 @@ std::array<Comparison, 3> CompareRegistrations(const Case& c, std::uint64_t phot
   for (const int kind : { 0, 1, 2 })
   {
     TraceSettings settings;
-    settings.photons = photons;
     settings.registration = static_cast<Registration>(kind);
-    const IlluminationMap map = TraceIlluminationMap(scene, c.lamp, settings);
+    const TracedMap map(scene, c.lamp, settings, photons);
     results[static_cast<std::size_t>(kind)] =
       Compare(scene, map.front.direct, map.front.standardError, c.exact, c.counts);
   }

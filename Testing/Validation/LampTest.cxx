@@ -2,6 +2,7 @@
 // Direct light against closed forms.
 #include "Comparison.h"
 #include "Shapes.h"
+#include "TracedMap.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -21,12 +22,11 @@ Surface Floor(int cells)
   return Shapes::Rectangle({ -1, -1, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, cells);
 }
 
-IlluminationMap Traced(const Scene& scene, const Lamp& lamp, Sampling sampling)
+TracedMap Traced(const Scene& scene, const Lamp& lamp, Sampling sampling)
 {
   TraceSettings settings;
-  settings.photons = 2'000'000;
   settings.sampling = sampling;
-  return TraceIlluminationMap(scene, lamp, settings);
+  return TracedMap(scene, lamp, settings, 2'000'000);
 }
 
 /// The error must be what the standard error says: the mean of error^2 equals the mean of SE^2 in
@@ -42,7 +42,7 @@ void ExpectErrorIsNoise(const Comparison& comparison, std::size_t vertices)
 double CaughtShare(const Surface& surface, const Lamp& lamp)
 {
   const Scene scene(surface);
-  const IlluminationMap map = Traced(scene, lamp, Sampling::Random);
+  const TracedMap map = Traced(scene, lamp, Sampling::Random);
   return static_cast<double>(map.balance.absorbed) / static_cast<double>(map.balance.emitted);
 }
 
@@ -84,7 +84,7 @@ TEST_P(PointLikeLamp, FollowsTheInverseSquareLaw)
         return intensity(glm::dot(ray, axis) / distance) * std::max(0.0, -glm::dot(ray, normal)) /
           (distance * distance * distance);
       });
-    const IlluminationMap map = Traced(scene, lamp, GetParam());
+    const TracedMap map = Traced(scene, lamp, GetParam());
     ExpectErrorIsNoise(
       Compare(scene, map.front.direct, map.front.standardError, exact), exact.size());
   };
@@ -158,7 +158,7 @@ TEST(Parallel, LightsAPlaneEvenly)
   const Scene scene(floor);
   const glm::dvec3 direction(1.0, 0.5, -0.7);
   const double exact = 800.0 * 0.7 / glm::length(direction);
-  const IlluminationMap map = Traced(scene, ParallelLight{ direction, 800.0 }, Sampling::Random);
+  const TracedMap map = Traced(scene, ParallelLight{ direction, 800.0 }, Sampling::Random);
   ExpectErrorIsNoise(Compare(scene, map.front.direct, map.front.standardError,
                        std::vector<double>(floor.points.size(), exact)),
     floor.points.size());
@@ -171,12 +171,10 @@ TEST(WholeSky, IsSeenWholeByVertexNormalisedOnly)
   const Scene scene(Shapes::Icosphere(1, Facing::Outward));
   const std::vector<double> exact(scene.Vertices().size(), Pi * 100.0);
   TraceSettings settings;
-  settings.photons = 4'000'000;
   const auto mean = [&](Registration registration)
   {
     settings.registration = registration;
-    const IlluminationMap map =
-      TraceIlluminationMap(scene, UniformSky{ { 0, 0, 1 }, 100.0, true }, settings);
+    const TracedMap map(scene, UniformSky{ { 0, 0, 1 }, 100.0, true }, settings, 4'000'000);
     return AreaMean(scene, map.front.direct) / (Pi * 100.0);
   };
   // Mean of (1 + cos a) / 2 over the facets.

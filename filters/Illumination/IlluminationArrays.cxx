@@ -4,7 +4,6 @@
 #include "SceneBlocks.h"
 
 #include "PhotonTransport/scene/Scene.h"
-#include "PhotonTransport/transport/IlluminationMap.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -13,16 +12,20 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
+#include "vtkTable.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 namespace
 {
 
+using PhotonTransport::Accuracy;
 using PhotonTransport::IlluminationMap;
-using PhotonTransport::SideMap;
+using PhotonTransport::IlluminationRun;
+using PhotonTransport::StopReason;
 
 /// Carries values from the scene's vertices to a block's points. A point whose normals were split
 /// has several vertices: it gets their mean by area, which keeps the flux, sum A E.
@@ -134,55 +137,109 @@ double PerSecond(std::uint64_t count, double seconds)
   return seconds > 0.0 ? static_cast<double>(count) / seconds : 0.0;
 }
 
-} // namespace
-
-void AddPointArrays(vtkPolyData* output, const SceneBlock& block,
-  const PhotonTransport::Scene& scene, const IlluminationMap& map)
+std::string NameOf(StopReason reason)
 {
-  const PointMapping mapping(block, scene.VertexAreas(), output->GetNumberOfPoints());
-  vtkPointData* arrays = output->GetPointData();
+  switch (reason)
+  {
+    case StopReason::RelativeError:
+      return "target relative error";
+    case StopReason::TimeLimit:
+      return "time limit";
+    case StopReason::Abort:
+      return "abort";
+    default:
+      return "photon limit";
+  }
+}
 
-  const std::vector<double> direct = mapping.Mean(map.front.direct);
-  const std::vector<double> indirect = mapping.Mean(map.front.indirect);
+void AddFront(vtkPointData* arrays, const PointMapping& mapping, const IlluminationMap& map)
+{
+  const std::vector<double> direct = mapping.Mean(map.direct);
+  const std::vector<double> indirect = mapping.Mean(map.indirect);
   const std::vector<double> total = Sum(direct, indirect);
-  const std::vector<double> error = mapping.MeanError(map.front.standardError);
+  const std::vector<double> error = mapping.MeanError(map.standardError);
   AddArray(arrays, "Illuminance", total);
   AddArray(arrays, "IlluminanceDirect", direct);
   AddArray(arrays, "IlluminanceIndirect", indirect);
   AddArray(arrays, "StandardError", error);
   AddArray(arrays, "RelativeError", Ratio(error, total));
-  if (!map.back.direct.empty())
-  {
-    AddArray(arrays, "IlluminanceBack",
-      Sum(mapping.Mean(map.back.direct), mapping.Mean(map.back.indirect)));
-    AddArray(arrays, "StandardErrorBack", mapping.MeanError(map.back.standardError));
-  }
   std::vector<std::uint64_t> hits(total.size(), 0);
   mapping.ForEach(
-    [&](std::size_t vertex, std::size_t point) { hits[point] += map.front.photonHits[vertex]; });
+    [&](std::size_t vertex, std::size_t point) { hits[point] += map.photonHits[vertex]; });
   AddArray(arrays, "PhotonHits", hits);
   arrays->SetActiveScalars("Illuminance");
 }
 
-void AddFieldData(
-  vtkFieldData* output, const IlluminationMap& map, const std::vector<std::string>& notes)
+void AddBack(vtkPointData* arrays, const PointMapping& mapping, const IlluminationMap& map)
+{
+  AddArray(arrays, "IlluminanceBack", Sum(mapping.Mean(map.direct), mapping.Mean(map.indirect)));
+  AddArray(arrays, "StandardErrorBack", mapping.MeanError(map.standardError));
+}
+
+} // namespace
+
+void AddPointArrays(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
+  const IlluminationRun& run, bool backSide)
+{
+  const IlluminationMap front = run.Front();
+  const IlluminationMap back = backSide ? run.Back() : IlluminationMap();
+  for (const SceneBlock& block : blocks.Blocks())
+  {
+    const PointMapping mapping(block, scene.VertexAreas(), block.data->GetNumberOfPoints());
+    AddFront(block.data->GetPointData(), mapping, front);
+    if (backSide)
+    {
+      AddBack(block.data->GetPointData(), mapping, back);
+    }
+  }
+}
+
+void AddFieldData(vtkFieldData* output, const IlluminationRun& run, StopReason reason,
+  const std::vector<std::string>& notes)
 {
   using Count = std::vector<std::uint64_t>;
   using Value = std::vector<double>;
   using Text = std::vector<std::string>;
-  AddArray(output, "PhotonsEmitted", Count{ map.balance.emitted });
-  AddArray(output, "PhotonsAbsorbed", Count{ map.balance.absorbed });
-  AddArray(output, "PhotonsEscaped", Count{ map.balance.escaped });
-  AddArray(output, "PhotonsCutOff", Count{ map.balance.cutOff });
-  AddArray(output, "EmittedFlux", Value{ map.flux });
-  AddArray(output, "FluxCutByWeightBound", Value{ map.fluxCutByWeightBound });
-  AddArray(output, "Seconds", Value{ map.seconds });
-  AddArray(output, "PhotonsPerSecond", Value{ PerSecond(map.balance.emitted, map.seconds) });
-  AddArray(output, "SegmentsPerSecond", Value{ PerSecond(map.balance.segments, map.seconds) });
-  AddArray(output, "StoppedBy", Text{ map.complete ? "photon limit" : "abort" });
-  AddArray(output, "Effects", map.effects);
+  const PhotonTransport::PhotonBalance balance = run.Balance();
+  AddArray(output, "PhotonsEmitted", Count{ balance.emitted });
+  AddArray(output, "PhotonsAbsorbed", Count{ balance.absorbed });
+  AddArray(output, "PhotonsEscaped", Count{ balance.escaped });
+  AddArray(output, "PhotonsCutOff", Count{ balance.cutOff });
+  AddArray(output, "EmittedFlux", Value{ run.Flux() });
+  AddArray(output, "FluxCutByWeightBound", Value{ run.FluxCutByWeightBound() });
+  AddArray(output, "Seconds", Value{ run.Seconds() });
+  AddArray(output, "PhotonsPerSecond", Value{ PerSecond(balance.emitted, run.Seconds()) });
+  AddArray(output, "SegmentsPerSecond", Value{ PerSecond(balance.segments, run.Seconds()) });
+  if (!run.Rounds().empty() && run.Rounds().back().predictedPhotons > 0.0)
+  {
+    AddArray(output, "PredictedPhotons", Value{ run.Rounds().back().predictedPhotons });
+    AddArray(output, "PredictedSeconds", Value{ run.Rounds().back().predictedSeconds });
+  }
+  AddArray(output, "StoppedBy", Text{ NameOf(reason) });
+  AddArray(output, "Effects", run.EffectsInUse().reasons);
   AddArray(output, "Notes", notes);
   AddArray(output, "IlluminationMapsVersion", Text{ ILLUMINATION_VERSION });
+}
+
+void FillAccuracyTable(vtkTable* table, const std::vector<Accuracy>& rounds)
+{
+  const auto column = [&](const char* name, const auto& valueOf)
+  {
+    std::vector<double> values;
+    values.reserve(rounds.size());
+    std::transform(rounds.begin(), rounds.end(), std::back_inserter(values), valueOf);
+    AddArray(table->GetRowData(), name, values);
+  };
+  table->Initialize();
+  column("Photons", [](const Accuracy& row) { return static_cast<double>(row.photons); });
+  column("Seconds", [](const Accuracy& row) { return row.seconds; });
+  column("RelativeError", [](const Accuracy& row) { return row.relativeError; });
+  column("MedianRelativeError", [](const Accuracy& row) { return row.medianRelativeError; });
+  column(
+    "Percentile95RelativeError", [](const Accuracy& row) { return row.percentile95RelativeError; });
+  column("SegmentsPerSecond", [](const Accuracy& row) { return row.segmentsPerSecond; });
+  column("PredictedPhotons", [](const Accuracy& row) { return row.predictedPhotons; });
+  column("PredictedSeconds", [](const Accuracy& row) { return row.predictedSeconds; });
 }
 
 std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTransport::Scene& scene)

@@ -2,28 +2,25 @@
 #ifndef IlluminationArrays_h
 #define IlluminationArrays_h
 
+#include "PhotonTransport/transport/IlluminationRun.h"
+
 #include <string>
 #include <vector>
 
 class SceneBlocks;
-class vtkDataObject;
 class vtkFieldData;
-class vtkPolyData;
-struct SceneBlock;
+class vtkTable;
 
-namespace PhotonTransport
-{
-struct IlluminationMap;
-class Scene;
-}
-
-/// Adds the map's point arrays to a block's output. @param output Same points as `block.data`.
-void AddPointArrays(vtkPolyData* output, const SceneBlock& block,
-  const PhotonTransport::Scene& scene, const PhotonTransport::IlluminationMap& map);
+/// Adds the map's point arrays to each block's data.
+void AddPointArrays(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
+  const PhotonTransport::IlluminationRun& run, bool backSide);
 
 /// Adds what concerns the run as a whole: photon balance, time, effects, notes.
-void AddFieldData(vtkFieldData* output, const PhotonTransport::IlluminationMap& map,
-  const std::vector<std::string>& notes);
+void AddFieldData(vtkFieldData* output, const PhotonTransport::IlluminationRun& run,
+  PhotonTransport::StopReason reason, const std::vector<std::string>& notes);
+
+/// A row for each round.
+void FillAccuracyTable(vtkTable* table, const std::vector<PhotonTransport::Accuracy>& rounds);
 
 /// What was found in the input and mended, in words; empty if nothing was.
 std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTransport::Scene& scene);

@@ -7,7 +7,7 @@
 
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/scene/Scene.h"
-#include "PhotonTransport/transport/IlluminationMap.h"
+#include "PhotonTransport/transport/IlluminationRun.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -16,12 +16,16 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 
+#include <algorithm>
 #include <chrono>
-#include <limits>
+#include <cmath>
 #include <new>
+#include <sstream>
 
 vtkStandardNewMacro(vtkIlluminationMap);
 
@@ -71,7 +75,6 @@ Unsigned AtLeastZero(Signed value)
 PhotonTransport::TraceSettings SettingsOf(vtkIlluminationMap* filter)
 {
   PhotonTransport::TraceSettings settings;
-  settings.photons = AtLeastZero<std::uint64_t>(filter->GetPhotons());
   settings.seed = static_cast<std::uint32_t>(filter->GetSeed());
   settings.sampling = static_cast<PhotonTransport::Sampling>(filter->GetSampling());
   settings.registration = static_cast<PhotonTransport::Registration>(filter->GetRegistration());
@@ -88,6 +91,15 @@ std::string ArrayName(const char* name)
 {
   const std::string given = name ? name : "";
   return given == "None" ? "" : given;
+}
+
+PhotonTransport::StopRules RulesOf(vtkIlluminationMap* filter)
+{
+  PhotonTransport::StopRules rules;
+  rules.photons = AtLeastZero<std::uint64_t>(filter->GetPhotons());
+  rules.relativeError = filter->GetTargetRelativeError();
+  rules.seconds = filter->GetTimeLimit();
+  return rules;
 }
 
 SurfaceDescription DescriptionOf(vtkIlluminationMap* filter)
@@ -132,13 +144,16 @@ public:
   }
 
   /// Returns false once the user wants to stop.
-  bool operator()(double fraction)
+  bool operator()(const PhotonTransport::RunProgress& progress)
   {
     const auto now = std::chrono::steady_clock::now();
     if (now - this->Last >= std::chrono::milliseconds(50))
     {
       this->Last = now;
-      this->Algorithm->UpdateProgress(fraction);
+      const std::string text =
+        "Tracing photons, " + std::to_string(std::lround(progress.secondsLeft)) + " s left";
+      this->Algorithm->SetProgressText(text.c_str());
+      this->Algorithm->UpdateProgress(progress.fraction);
     }
     return !AbortRequested(this->Algorithm);
   }
@@ -147,6 +162,21 @@ private:
   vtkAlgorithm* Algorithm;
   std::chrono::steady_clock::time_point Last = std::chrono::steady_clock::now();
 };
+
+/// Identity of a data object: a time stamp that no other state of any object has.
+vtkMTimeType LatestChange(vtkDataObject* data)
+{
+  vtkMTimeType latest = data->GetMTime();
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto it = vtk::TakeSmartPointer(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      latest = std::max(latest, it->GetCurrentDataObject()->GetMTime());
+    }
+  }
+  return latest;
+}
 
 /// Makes the output refer to the input's data, block by block: arrays added to it stay its own.
 void PassThrough(vtkDataObject* input, vtkDataObject* output)
@@ -171,7 +201,55 @@ void PassThrough(vtkDataObject* input, vtkDataObject* output)
 
 } // namespace
 
-vtkIlluminationMap::vtkIlluminationMap() = default;
+/// A run that the next execution may go on with.
+struct vtkIlluminationMap::KeptRun
+{
+  KeptRun(vtkIlluminationMap* filter, const SceneBlocks& blocks, std::string shape)
+    : Scene(blocks.Surface())
+    , Run(this->Scene, LampOf(filter), SettingsOf(filter))
+    , Shape(std::move(shape))
+  {
+  }
+
+  bool Serves(const std::string& shape, vtkIdType photons) const
+  {
+    return this->Run.CanGoOn() && this->Shape == shape &&
+      static_cast<vtkIdType>(this->Run.Balance().emitted) <= RoundedUp(photons);
+  }
+
+  static vtkIdType RoundedUp(vtkIdType photons)
+  {
+    constexpr vtkIdType Blocks = 2048; // as the core rounds: 8 replicates of 256
+    return (photons + Blocks - 1) / Blocks * Blocks;
+  }
+
+  PhotonTransport::Scene Scene;
+  PhotonTransport::IlluminationRun Run;
+  std::string Shape; ///< See WhatShapesTheMap.
+};
+
+vtkIlluminationMap::vtkIlluminationMap()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkIlluminationMap::~vtkIlluminationMap() = default;
+
+/// Everything that the map depends on but for the number of photons.
+std::string vtkIlluminationMap::WhatShapesTheMap(vtkDataObject* input)
+{
+  std::ostringstream shape;
+  shape.precision(17);
+  const auto add = [&](const auto&... values) { ((shape << values << '|'), ...); };
+  add(static_cast<const void*>(input), LatestChange(input), this->LampType, this->LampPosition[0],
+    this->LampPosition[1], this->LampPosition[2], this->LampDirection[0], this->LampDirection[1],
+    this->LampDirection[2], this->LampSize[0], this->LampSize[1], this->SpotHalfAngle,
+    this->SpotExponent, this->LuminousFlux, this->ParallelIlluminance, this->Reflectance,
+    this->ReflectanceArray, this->ExitanceArray, this->Registration, this->Seed, this->Sampling,
+    this->Interreflection, this->RegisterBackSide, this->MetresPerUnit, this->FeatureAngle,
+    this->NumberOfThreads, this->WeightBound, this->MaximumPathLength);
+  return shape.str();
+}
 
 int vtkIlluminationMap::FillInputPortInformation(int, vtkInformation* info)
 {
@@ -182,9 +260,9 @@ int vtkIlluminationMap::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-int vtkIlluminationMap::FillOutputPortInformation(int, vtkInformation* info)
+int vtkIlluminationMap::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkDataObject" : "vtkTable");
   return 1;
 }
 
@@ -202,22 +280,29 @@ int vtkIlluminationMap::ProcessRequest(
     auto fresh = vtk::TakeSmartPointer(in->NewInstance());
     output->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), fresh);
   }
+  if (!vtkTable::GetData(output, 1))
+  {
+    vtkNew<vtkTable> table;
+    output->GetInformationObject(1)->Set(vtkDataObject::DATA_OBJECT(), table);
+  }
   return in ? 1 : 0;
 }
 
 int vtkIlluminationMap::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
+  vtkDataObject* in = vtkDataObject::GetData(input[0]);
   vtkDataObject* out = vtkDataObject::GetData(output);
-  PassThrough(vtkDataObject::GetData(input[0]), out);
+  PassThrough(in, out);
   // An error leaves the input passed through and the pipeline usable: it is said once, here, and
   // not again by the executive, which a return value of 0 would bring about.
   try
   {
-    this->Trace(out);
+    this->Trace(in, out, vtkTable::GetData(output, 1));
   }
   catch (const std::bad_alloc&)
   {
+    this->Kept.reset();
     vtkErrorMacro("out of memory for an input of " << out->GetActualMemorySize() << " KiB");
   }
   catch (const std::exception& error)
@@ -227,23 +312,27 @@ int vtkIlluminationMap::RequestData(
   return 1;
 }
 
-void vtkIlluminationMap::Trace(vtkDataObject* output)
+void vtkIlluminationMap::Trace(vtkDataObject* input, vtkDataObject* output, vtkTable* accuracy)
 {
   const SceneBlocks blocks(output, DescriptionOf(this));
   try
   {
-    this->SetProgressText("Building the scene");
-    this->UpdateProgress(0.0);
-    const PhotonTransport::Scene scene(blocks.Surface());
-    this->SetProgressText("Tracing photons");
-    const PhotonTransport::IlluminationMap map = PhotonTransport::TraceIlluminationMap(
-      scene, LampOf(this), SettingsOf(this), ProgressReport(this));
-
-    for (const SceneBlock& block : blocks.Blocks())
+    const PhotonTransport::StopRules rules = RulesOf(this);
+    Validate(rules);
+    const std::string shape = this->WhatShapesTheMap(input);
+    if (!this->Kept || !this->Kept->Serves(shape, this->Photons))
     {
-      AddPointArrays(block.data, block, scene, map);
+      this->SetProgressText("Building the scene");
+      this->UpdateProgress(0.0);
+      this->Kept.reset(); // first, so that two never share the memory
+      this->Kept = std::make_unique<KeptRun>(this, blocks, shape);
     }
-    AddFieldData(output->GetFieldData(), map, NotesOn(blocks, scene));
+    PhotonTransport::IlluminationRun& run = this->Kept->Run;
+    const PhotonTransport::StopReason reason = run.Advance(rules, ProgressReport(this));
+
+    AddPointArrays(blocks, this->Kept->Scene, run, this->RegisterBackSide);
+    AddFieldData(output->GetFieldData(), run, reason, NotesOn(blocks, this->Kept->Scene));
+    FillAccuracyTable(accuracy, run.Rounds());
   }
   catch (const InvalidInput& error)
   {
@@ -269,6 +358,8 @@ void vtkIlluminationMap::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ExitanceArray: " << this->ExitanceArray << "\n"
      << indent << "Registration: " << this->Registration << "\n"
      << indent << "Photons: " << this->Photons << "\n"
+     << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"
+     << indent << "TimeLimit: " << this->TimeLimit << "\n"
      << indent << "Seed: " << this->Seed << "\n"
      << indent << "Sampling: " << this->Sampling << "\n"
      << indent << "Interreflection: " << this->Interreflection << "\n"

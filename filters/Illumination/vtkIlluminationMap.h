@@ -29,8 +29,10 @@
  * Give watts for lumens and the result is irradiance in W/m^2.
  *
  * The result is a function of the input and the properties alone: it has the same bits for any
- * NumberOfThreads. Bad input gives one error that names the array, the cell or point and the value,
- * and the input passes through without the arrays.
+ * NumberOfThreads. Where only Photons, TargetRelativeError or TimeLimit change and
+ * ask for no fewer photons than there are, the run goes on from what it has; its result has the
+ * bits of a run in one go. Bad input gives one error that names the array, the cell or point and
+ * the value, and the input passes through without the arrays.
  */
 
 #ifndef vtkIlluminationMap_h
@@ -39,7 +41,10 @@
 #include "vtkIlluminationModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // for the kept run
 #include <string> // for array names
+
+class vtkTable;
 
 class VTKILLUMINATION_EXPORT vtkIlluminationMap : public vtkPolyDataAlgorithm
 {
@@ -177,10 +182,28 @@ public:
 
   ///@{
   /**
-   * Number of photons, 8 to 1e10. Four times as many halve the noise. Default: 1000000.
+   * The photons to stop at, 1 to 1e10, rounded up to a multiple of 2048. Four times as many halve
+   * the noise. Default: 1000000.
    */
   vtkSetMacro(Photons, vtkIdType);
   vtkGetMacro(Photons, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * The relative error to stop at, unless Photons or TimeLimit are reached before: area-weighted
+   * RMS of StandardError over the mean Illuminance; 0.02 is 2 %, 0 is no target. Default: 0.
+   */
+  vtkSetMacro(TargetRelativeError, double);
+  vtkGetMacro(TargetRelativeError, double);
+  ///@}
+
+  ///@{
+  /**
+   * Seconds of tracing to stop at, >= 0; 0 is no limit. Default: 0.
+   */
+  vtkSetMacro(TimeLimit, double);
+  vtkGetMacro(TimeLimit, double);
   ///@}
 
   ///@{
@@ -265,7 +288,7 @@ public:
 
 protected:
   vtkIlluminationMap();
-  ~vtkIlluminationMap() override = default;
+  ~vtkIlluminationMap() override;
 
   int ProcessRequest(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
@@ -287,6 +310,8 @@ protected:
   std::string ExitanceArray;
   int Registration = VERTEX_NORMALISED;
   vtkIdType Photons = 1000000;
+  double TargetRelativeError = 0.0;
+  double TimeLimit = 0.0;
   int Seed = 1;
   int Sampling = SOBOL;
   bool Interreflection = true;
@@ -301,7 +326,11 @@ private:
   vtkIlluminationMap(const vtkIlluminationMap&) = delete;
   void operator=(const vtkIlluminationMap&) = delete;
 
-  void Trace(vtkDataObject* output);
+  void Trace(vtkDataObject* input, vtkDataObject* output, vtkTable* accuracy);
+  std::string WhatShapesTheMap(vtkDataObject* input);
+
+  struct KeptRun;
+  std::unique_ptr<KeptRun> Kept; ///< To go on from.
 };
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One triangle under parallel light, by the core and by the VTK filter.
-#include "PhotonTransport/transport/IlluminationMap.h"
+#include "PhotonTransport/transport/IlluminationRun.h"
 
 #ifdef WITH_VTK_MODULE
 #include "vtkIlluminationMap.h"
@@ -29,8 +29,10 @@ double MeanByCore()
   surface.reflectance = { 0.5F };
   const PhotonTransport::Scene scene(surface);
   const PhotonTransport::ParallelLight light{ { 0, 0, -1 }, 100.0 };
-  const auto map = PhotonTransport::TraceIlluminationMap(scene, light, {});
-  return (map.front.direct[0] + map.front.direct[1] + map.front.direct[2]) / 3.0;
+  PhotonTransport::IlluminationRun run(scene, light, {});
+  run.Advance({ 100'000 });
+  const PhotonTransport::IlluminationMap map = run.Front();
+  return (map.direct[0] + map.direct[1] + map.direct[2]) / 3.0;
 }
 
 #ifdef WITH_VTK_MODULE

@@ -23,11 +23,6 @@ void Validate(const TraceSettings& settings)
   Require(settings.replicates >= 2,
     "the number of replicates is " + std::to_string(settings.replicates) +
       "; it must be 2 or more");
-  // A vertex that every photon hits at full weight sums up to 2^33 of them.
-  constexpr std::uint64_t MostPhotons = 10'000'000'000u;
-  Require(settings.photons >= 1 && settings.photons <= MostPhotons,
-    "the number of photons is " + std::to_string(settings.photons) + "; it must be between 1 and " +
-      std::to_string(MostPhotons));
   Require(settings.weightBound >= 1.0f && settings.weightBound <= LargestFactor,
     "the weight bound is " + std::to_string(settings.weightBound) +
       "; it must be between 1 and 1048576");

@@ -9,11 +9,10 @@
 namespace PhotonTransport
 {
 
-/// How to trace, as opposed to what.
+/// How to trace, as opposed to what and for how long.
 struct TraceSettings
 {
-  std::uint64_t photons = 1'000'000; ///< At least so many; each replicate gets whole blocks of 256.
-  std::uint32_t replicates = 8;      ///< Independent runs for the standard error; >= 2.
+  std::uint32_t replicates = 8; ///< Independent runs for the standard error; >= 2.
   std::uint32_t seed = 1;
   Sampling sampling = Sampling::Sobol;
   Registration registration = Registration::VertexNormalised;

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PhotonTransport/registration/IlluminationMap.h"
+#include "PhotonTransport/statistics/Accuracy.h"
+#include "PhotonTransport/transport/PhotonTracer.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace PhotonTransport
+{
+
+/// When a run is over: the first rule reached wins.
+struct StopRules
+{
+  /// At least so many photons (each replicate gets whole blocks of 256); [1, 1e10].
+  std::uint64_t photons = 1'000'000;
+  double relativeError = 0.0; ///< See Accuracy::relativeError; 0 is no target.
+  double seconds = 0.0;       ///< Of tracing; 0 is no limit.
+};
+
+/// Throws InvalidInput that names the rule.
+void Validate(const StopRules& rules);
+
+enum class StopReason : int
+{
+  PhotonLimit,
+  RelativeError,
+  TimeLimit,
+  Abort
+};
+
+struct RunProgress
+{
+  double fraction;    ///< [0, 1], of the rule that will end the run first; never falls.
+  double secondsLeft; ///< As far as can be told.
+};
+
+/// Called now and then from the thread that called Advance; returns false to abort.
+using ProgressMonitor = std::function<bool(const RunProgress&)>;
+
+/// Traces a map in rounds, round by round over all replicates, and can go on where it stopped.
+/// The result is a function of the number of photons: running to N and on to 2N gives the bits of
+/// running to 2N at once.
+class IlluminationRun
+{
+public:
+  /// See PhotonTracer. @param scene Must outlive the run.
+  IlluminationRun(const Scene& scene, const Lamp& lamp, const TraceSettings& settings);
+
+  /// Traces until a rule ends it, counting what was traced before. However it ends, there is a
+  /// valid map. The time limit is looked at between slices of the work, an abort within them.
+  StopReason Advance(const StopRules& rules, const ProgressMonitor& monitor = {});
+
+  /// False once an abort has left gaps in the sequences: the map is valid, but going on would not
+  /// give the bits that a run in one go gives.
+  bool CanGoOn() const { return this->Whole; }
+
+  IlluminationMap Front() const { return this->Side(&IlluminationSums::front); }
+  /// Only if the settings ask for the back to be registered.
+  IlluminationMap Back() const { return this->Side(&IlluminationSums::back); }
+
+  PhotonBalance Balance() const;
+  double Flux() const { return this->Tracer.Flux(); }
+  double FluxCutByWeightBound() const; ///< lm
+  double Seconds() const { return this->SecondsTraced; }
+  const Effects& EffectsInUse() const { return this->Tracer.EffectsInUse(); }
+
+  /// One row a round, the last one for the map as it is.
+  const std::vector<Accuracy>& Rounds() const { return this->Rows; }
+
+private:
+  struct Replicate
+  {
+    IlluminationSums sums;
+    std::uint64_t blocks = 0; ///< Traced so far.
+  };
+
+  std::uint64_t BlocksTraced() const;
+  std::optional<StopReason> RuleReached(const StopRules& rules) const;
+  std::uint64_t NextRound(const StopRules& rules) const;
+  std::optional<StopReason> TraceRound(const StopRules& rules, const ProgressMonitor& monitor);
+  bool TraceSlice(std::uint32_t number, std::uint64_t count, const StopRules& rules,
+    const ProgressMonitor& monitor);
+  void AddRow(const StopRules& rules);
+  RunProgress ProgressTowards(const StopRules& rules, std::uint64_t blocksOfSlice);
+  IlluminationMap Side(std::vector<VertexSums> IlluminationSums::*side) const;
+
+  const Scene& Surroundings;
+  PhotonTracer Tracer;
+  std::vector<Replicate> Replicates;
+  std::vector<Accuracy> Rows;
+  double SecondsTraced = 0.0;
+  double LargestFraction = 0.0;
+  bool Whole = true;
+};
+
+} // namespace PhotonTransport
