@@ -129,6 +129,63 @@ TEST(HitWeights, VertexNormalisedIsBoundedWhereNormalsFollowTheRing)
   }
 }
 
+namespace
+{
+
+/// Mean of min(m, bound)^2 over hits of light from all sides at a point of a coarse sphere's facet,
+/// m the compensating factor: the integral of cos/pi over the hemisphere, by the midpoint rule in
+/// azimuth and in the logarithm of the cosine.
+template <Registration Kind>
+double SecondMoment(const Scene& scene, const glm::vec3& barycentric, float bound)
+{
+  const Facet& facet = scene.Facets()[0];
+  const Frame frame(facet.normal);
+  constexpr int Rings = 4000;
+  constexpr int Around = 64;
+  constexpr double Decades = 11.5; // cosines down to 1e-5
+  double sum = 0.0;
+  for (int i = 0; i < Rings * Around; ++i)
+  {
+    const double cosine = std::exp(-Decades * (i / Around + 0.5) / Rings);
+    const double azimuth = 6.283185307179586 * (i % Around + 0.5) / Around;
+    const double sine = std::sqrt(1.0 - cosine * cosine);
+    const glm::vec3 towards =
+      frame.ToWorld(glm::dvec3(sine * std::cos(azimuth), sine * std::sin(azimuth), cosine));
+    const double m =
+      std::min(bound, Total(HitWeights<Kind>(scene, facet, barycentric, towards, 1.0f)));
+    sum += m * m * 2.0 * cosine * cosine * Decades / (Rings * Around);
+  }
+  return sum;
+}
+
+} // namespace
+
+// DESIGN 4.1: with light from all sides FacetRatio's factor has no second moment. Under a bound W
+// it grows by the same step each time W is multiplied by 8, without end; a step is sin^2(a)/2
+// ln(8), a the tilt of the smooth normal. VertexNormalised's has one: no step.
+TEST(HitWeights, OnlyFacetRatioLacksAVariance)
+{
+  const Scene scene(Shapes::Icosphere(0, Facing::Outward));
+  const glm::vec3 barycentric(0.6f, 0.3f, 0.1f);
+  const Facet& facet = scene.Facets()[0];
+  glm::vec3 smooth(0.0f);
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    smooth += barycentric[corner] * scene.Vertices()[facet.vertices[corner]].normal;
+  }
+  const double cosTilt = glm::dot(glm::normalize(smooth), facet.normal);
+  const double step = 0.5 * (1.0 - cosTilt * cosTilt) * std::log(8.0);
+  constexpr auto Ratio = SecondMoment<Registration::FacetRatio>;
+  for (const float bound : { 16.0f, 128.0f })
+  {
+    // m = cos(a) + sin(a) cos(phi) / cos(theta): the first term adds a part in bound, twice.
+    EXPECT_NEAR(Ratio(scene, barycentric, 8.0f * bound) - Ratio(scene, barycentric, bound), step,
+      step * 2.0 / bound);
+  }
+  constexpr auto Vertex = SecondMoment<Registration::VertexNormalised>;
+  EXPECT_EQ(Vertex(scene, barycentric, 1024.0f), Vertex(scene, barycentric, 16.0f));
+}
+
 // The back of a surface is the front of the surface turned round.
 TEST(HitWeights, TreatBothSidesAlike)
 {

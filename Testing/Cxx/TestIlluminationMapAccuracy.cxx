@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The filter goes on where it can, starts anew where it must, stops at an accuracy, and shows in
+// the table Accuracy what it cost.
+#include "TestTools.h"
+
+#include "vtkNew.h"
+#include "vtkSphereSource.h"
+#include "vtkTable.h"
+
+#include <cmath>
+
+namespace
+{
+
+double Cell(vtkTable* table, vtkIdType row, const char* column)
+{
+  return table->GetValueByName(row, column).ToDouble();
+}
+
+vtkIdType Emitted(vtkIlluminationMap* illuminate)
+{
+  return static_cast<vtkIdType>(FieldValue(illuminate->GetOutput(), "PhotonsEmitted"));
+}
+
+/// Traced in one go by another filter with the same properties.
+void CheckAgainstOneGo(vtkIlluminationMap* illuminate, vtkSphereSource* sphere, Checks& check)
+{
+  vtkNew<vtkIlluminationMap> once;
+  once->SetInputConnection(sphere->GetOutputPort());
+  once->SetPhotons(illuminate->GetPhotons());
+  once->SetSeed(illuminate->GetSeed());
+  once->Update();
+  for (const char* name : { "Illuminance", "StandardError", "PhotonHits" })
+  {
+    check(
+      SameValues(PointArray(illuminate->GetOutput(), name), PointArray(once->GetOutput(), name)),
+      std::string(name) + " has the bits of a run in one go");
+  }
+}
+
+void CheckTable(vtkIlluminationMap* illuminate, Checks& check)
+{
+  auto* table = vtkTable::SafeDownCast(illuminate->GetOutputDataObject(1));
+  check(table && table->GetNumberOfRows() >= 3, "a row for each round");
+  if (!table || table->GetNumberOfRows() < 3)
+  {
+    return;
+  }
+  const vtkIdType last = table->GetNumberOfRows() - 1;
+  check(Cell(table, last, "Photons") == static_cast<double>(Emitted(illuminate)), "photons");
+  for (vtkIdType row = 1; row <= last; ++row)
+  {
+    check(Cell(table, row, "Photons") > Cell(table, row - 1, "Photons"), "photons grow");
+    check(Cell(table, row, "Seconds") > Cell(table, row - 1, "Seconds"), "seconds grow");
+    check(Cell(table, row, "SegmentsPerSecond") > 0.0, "a rate");
+    check(Cell(table, row, "MedianRelativeError") <= Cell(table, row, "Percentile95RelativeError"),
+      "median and 95th percentile");
+  }
+}
+
+} // namespace
+
+int TestIlluminationMapAccuracy(int, char*[])
+{
+  Checks check;
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkIlluminationMap> illuminate;
+  illuminate->SetInputConnection(sphere->GetOutputPort());
+  illuminate->SetPhotons(50000);
+  illuminate->Update();
+  const double before = FieldValue(illuminate->GetOutput(), "Seconds");
+
+  illuminate->SetPhotons(200000);
+  illuminate->Update();
+  check(FieldValue(illuminate->GetOutput(), "Seconds") > before, "it went on: time adds up");
+  CheckTable(illuminate, check);
+  CheckAgainstOneGo(illuminate, sphere, check);
+
+  illuminate->SetPhotons(30000); // fewer: anew
+  illuminate->Update();
+  check(Emitted(illuminate) == 30720, "30000 rounded up to whole blocks");
+  CheckAgainstOneGo(illuminate, sphere, check);
+  illuminate->SetSeed(5); // another map: anew
+  illuminate->Update();
+  CheckAgainstOneGo(illuminate, sphere, check);
+  sphere->SetRadius(3.0); // another surface: anew
+  illuminate->Update();
+  CheckAgainstOneGo(illuminate, sphere, check);
+
+  illuminate->SetPhotons(2000000000);
+  illuminate->SetTargetRelativeError(0.003);
+  illuminate->Update();
+  check(FieldText(illuminate->GetOutput(), "StoppedBy") == "target relative error\n", "target");
+  auto* table = vtkTable::SafeDownCast(illuminate->GetOutputDataObject(1));
+  check(Cell(table, table->GetNumberOfRows() - 1, "RelativeError") <= 0.003, "target reached");
+  check(FieldValue(illuminate->GetOutput(), "PredictedSeconds") > 0.0, "a prediction");
+
+  illuminate->SetTargetRelativeError(0.0);
+  illuminate->SetTimeLimit(FieldValue(illuminate->GetOutput(), "Seconds") + 0.05);
+  illuminate->Update();
+  check(FieldText(illuminate->GetOutput(), "StoppedBy") == "time limit\n", "time limit");
+  return check.Failures();
+}
