@@ -88,11 +88,11 @@ int TestIlluminationMapAccuracy(int, char*[])
   CheckAgainstOneGo(illuminate, sphere, check);
 
   illuminate->SetPhotons(2000000000);
-  illuminate->SetTargetRelativeError(0.003);
+  illuminate->SetTargetRelativeError(0.0003);
   illuminate->Update();
   check(FieldText(illuminate->GetOutput(), "StoppedBy") == "target relative error\n", "target");
   auto* table = vtkTable::SafeDownCast(illuminate->GetOutputDataObject(1));
-  check(Cell(table, table->GetNumberOfRows() - 1, "RelativeError") <= 0.003, "target reached");
+  check(Cell(table, table->GetNumberOfRows() - 1, "RelativeError") <= 0.0003, "target reached");
   check(FieldValue(illuminate->GetOutput(), "PredictedSeconds") > 0.0, "a prediction");
 
   illuminate->SetTargetRelativeError(0.0);
