@@ -17,7 +17,7 @@ REFLECTANCE = {
     "Window panes": 0.80,
     "Overhead bins": 0.75,
     "Coves": 0.80,
-    "Cove lamps": 0.50,
+    "Cove lamps": 0.70,
     "Ceiling": 0.85,
     "Bulkheads": 0.60,
     "Seat cushions": 0.40,
@@ -57,7 +57,7 @@ def to_polydata(parts, exitance):
     return data
 
 
-def make_cabin(rows=4, windows=9, exitance=20000.0):
+def make_cabin(rows=4, windows=9, exitance=25000.0):
     """The cabin: seat rows, windows on either side (they set its length), lamps' exitance (lm/m^2).
 
     Points have normals into the air. Cell arrays: Reflectance, Exitance (lm/m^2) and Part, which

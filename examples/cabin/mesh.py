@@ -82,7 +82,7 @@ def bent(mesh, bend, step=1e-5):
 def _edge_samples(half, radius, flat, rounding):
     """Along one axis of a rounded box's face: positions on the inner box and slopes of the normal."""
     inner = half - radius
-    slope = np.tan(np.linspace(0.0, np.pi / 4.0, rounding + 1)[1:])
+    slope = np.tan(np.pi / 4.0 * np.linspace(0.0, 1.0, rounding + 1)[1:] ** 1.6)
     position = np.concatenate(
         [np.full(rounding, -inner), np.linspace(-inner, inner, flat + 1), np.full(rounding, inner)]
     )

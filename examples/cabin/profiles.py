@@ -19,6 +19,7 @@ LIP = 0.02  # radius of the lip that hides the lamp
 SHELF = 1.92
 LAMP_INNER, LAMP_OUTER, LAMP_TOP = 0.93, 0.98, 1.97
 CEILING_HALF_WIDTH, CEILING_RISE = 1.02, 0.33
+STEP_RATIO = 3.0  # of wide to narrow steps along curves
 
 
 @dataclass
@@ -37,9 +38,19 @@ def line(start, end, normal, segments):
     return Curve(points, np.tile(normal, (segments + 1, 1)))
 
 
+def uneven(first, last, segments):
+    """Values from first to last in steps that alternate between narrow and wide.
+
+    So tessellated CAD surfaces come: where a narrow facet meets a wide one, their common points
+    see the light of the wide one, unless registration knows about the curve.
+    """
+    steps = np.where(np.arange(segments) % 2 == 0, 1.0, STEP_RATIO)
+    return first + (last - first) * np.concatenate([[0.0], np.cumsum(steps)]) / steps.sum()
+
+
 def ellipse(centre, axes, degrees, segments, inward):
     """An arc of an ellipse; degrees: the first and the last angle, from +y towards +z."""
-    angle = np.radians(np.linspace(*degrees, segments + 1))
+    angle = np.radians(uneven(*degrees, segments))
     circle = np.stack([np.cos(angle), np.sin(angle)], axis=1)
     normals = circle / np.asarray(axes)
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
@@ -80,7 +91,7 @@ def overhead_bin():
     inside = BIN_FACE + 2.0 * LIP
     axes = (BIN_ROUND_Y - BIN_FACE, BIN_ROUND_Z - BIN_UNDERSIDE)
     under = line((wall_y(BIN_UNDERSIDE), BIN_UNDERSIDE), (BIN_ROUND_Y, BIN_UNDERSIDE), (0, -1), 7)
-    front = ellipse((BIN_ROUND_Y, BIN_ROUND_Z), axes, (270.0, 180.0), 7, inward=False)
+    front = ellipse((BIN_ROUND_Y, BIN_ROUND_Z), axes, (270.0, 180.0), 11, inward=False)
     face = line((BIN_FACE, BIN_ROUND_Z), (BIN_FACE, BIN_TOP), (-1, 0), 2)
     lip = ellipse((BIN_FACE + LIP, BIN_TOP), (LIP, LIP), (180.0, 0.0), 4, inward=False)
     back = line((inside, BIN_TOP), (inside, SHELF), (1, 0), 2)
@@ -105,4 +116,4 @@ def ledge():
 def ceiling():
     """The whole curved ceiling, from cove to cove."""
     axes = (CEILING_HALF_WIDTH, CEILING_RISE)
-    return ellipse((0.0, LAMP_TOP), axes, (0.0, 180.0), 16, inward=True)
+    return ellipse((0.0, LAMP_TOP), axes, (0.0, 180.0), 17, inward=True)

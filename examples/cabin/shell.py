@@ -6,7 +6,7 @@ import vtk
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 import profiles
-from mesh import bent, grid, merged, mirrored, moved, oriented
+from mesh import bent, grid, merged, mirrored, moved, oriented, welded
 
 WINDOW_PITCH = 1.6 / 3.0  # distance of the fuselage's frames: three windows to two seat rows
 BAY_SEGMENTS = 6  # along each side of a window's bay
@@ -168,7 +168,7 @@ def shell(windows):
     }
     lower = extruded(profiles.wall(0.0, profiles.WINDOW_BOTTOM, 8), xs)
     upper = extruded(profiles.wall(profiles.WINDOW_TOP, profiles.BIN_UNDERSIDE, 3), xs)
-    right["Side walls"] = merged([lower, right["Side walls"], upper])
+    right["Side walls"] = welded(merged([lower, right["Side walls"], upper]))
     parts = {name: merged([mesh, mirrored(mesh)]) for name, mesh in right.items()}
     parts["Floor"] = extruded(profiles.floor(), xs)
     parts["Ceiling"] = extruded(profiles.ceiling(), xs)

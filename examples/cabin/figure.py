@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The cabin's picture: the view along the aisle on a logarithmic scale, a detail on a linear one."""
+
+import matplotlib
+import numpy as np
+
+from comparison import with_array
+from pictures import BAR, GAP, INK, MARGIN, TITLE, Camera, Page, Panel, Row, Scale, draw_row
+
+WIDTH = 1400  # pixels
+ALONG_THE_AISLE = Camera(position=(0.12, 0.0, 1.5), focus=(4.0, 0.0, 1.37), angle=62.0)
+BIN_AND_SEATS = Camera(position=(0.95, -0.4, 1.42), focus=(2.7, 0.95, 1.55), angle=46.0)
+DECADES = "Decades of lux"  # point array: log10 of the illuminance, in lx
+
+
+class LuxPage(Page):
+    """A page whose bars read lux, also where the colours follow DECADES."""
+
+    def bar(self, left, top, width, height, scale):
+        if not scale.label.startswith(DECADES):
+            super().bar(left, top, width, height, scale)
+            return
+        axes = self.place(left, top, width, height)
+        axes.axis("on")
+        norm = matplotlib.colors.LogNorm(10.0**scale.lowest, 10.0**scale.highest)
+        bar = self.figure.colorbar(matplotlib.cm.ScalarMappable(norm, scale.colours), cax=axes)
+        ticks = [lux for lux in (20, 50, 100, 200, 500, 1000, 2000, 5000)]
+        bar.set_ticks([lux for lux in ticks if norm.vmin <= lux <= norm.vmax * 1.001])
+        bar.ax.yaxis.set_major_formatter("{x:.0f}")
+        bar.ax.minorticks_off()
+        bar.set_label("Illuminance, lx (logarithmic)", color=INK, fontsize=13)
+        bar.ax.tick_params(labelsize=12, colors=INK)
+        bar.outline.set_visible(False)
+
+
+def panels(maps, array):
+    """One panel for every registration's map, coloured by a point array."""
+    return [Panel(title, surface, array) for title, surface in maps.items()]
+
+
+def with_decades(found, lowest):
+    """The surface of an IlluminationMap with DECADES, dark places raised to lowest (lx)."""
+    return with_array(found.surface, np.log10(np.maximum(found.array(), lowest)), DECADES)
+
+
+def draw_cabin(path, maps, lowest, highest, detail):
+    """Draws the maps (title -> IlluminationMap): the aisle from lowest to highest (lx), a detail (lx)."""
+    surfaces = {title: with_decades(found, lowest) for title, found in maps.items()}
+    decades = Scale(DECADES, float(np.log10(lowest)), float(np.log10(highest)))
+    lux = Scale("Illuminance, lx", 0.0, detail)
+    rows = [
+        Row(decades, panels(surfaces, DECADES), ALONG_THE_AISLE, 400),
+        Row(lux, panels(surfaces, "Illuminance"), BIN_AND_SEATS, 330),
+    ]
+    panel = (WIDTH - 2 * MARGIN - BAR - (len(maps) - 1) * GAP) // len(maps)
+    page = LuxPage(WIDTH, 2 * MARGIN + GAP + sum(TITLE + row.height for row in rows))
+    top = MARGIN
+    for row in rows:
+        draw_row(page, row, top, panel, (1.0, 1.0, 1.0))
+        top += TITLE + row.height + GAP
+    page.save(path)
