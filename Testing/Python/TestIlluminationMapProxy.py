@@ -27,6 +27,8 @@ NOT_DEFAULT = {
     "MetresPerUnit": 0.001,
     "FeatureAngle": 60.0,
     "Photons": 2000000000,
+    "TargetRelativeError": 0.02,
+    "TimeLimit": 60.0,
     "Seed": 7,
     "Registration": ("Facet Ratio", 1),
     "Sampling": ("Random", 0),
@@ -102,7 +104,7 @@ def test_array_lists_offer_cell_arrays_of_the_right_shape_and_none():
     proxy = IlluminationMap(Input=surface_with_cell_arrays())
     assert proxy.ReflectanceArray == proxy.ExitanceArray == "None"
     assert list(proxy.GetProperty("ReflectanceArray").Available) == ["None", "Colour", "Grey"]
-    assert list(proxy.GetProperty("ExitanceArray").Available) == ["None", "Grey"]
+    assert list(proxy.GetProperty("ExitanceArray").Available) == ["None", "Colour", "Grey"]
 
 
 def test_none_means_no_array():
