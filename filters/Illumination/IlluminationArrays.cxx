@@ -87,22 +87,24 @@ private:
   std::vector<double> Areas;
 };
 
-void AddArray(vtkFieldData* data, const char* name, const std::vector<double>& values)
+template <typename Array, typename Value>
+void AddNumbers(vtkFieldData* data, const char* name, const std::vector<Value>& values)
 {
-  vtkNew<vtkDoubleArray> array;
+  vtkNew<Array> array;
   array->SetName(name);
   array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   data->AddArray(array);
 }
 
+void AddArray(vtkFieldData* data, const char* name, const std::vector<double>& values)
+{
+  AddNumbers<vtkDoubleArray>(data, name, values);
+}
+
 void AddArray(vtkFieldData* data, const char* name, const std::vector<std::uint64_t>& values)
 {
-  vtkNew<vtkIdTypeArray> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  data->AddArray(array);
+  AddNumbers<vtkIdTypeArray>(data, name, values);
 }
 
 void AddArray(vtkFieldData* data, const char* name, const std::vector<std::string>& lines)

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CoreSettings.h"
+
+#include "vtkIlluminationMap.h"
+#include "vtkMath.h"
+
+namespace
+{
+
+glm::dvec3 Vector(const double v[3])
+{
+  return { v[0], v[1], v[2] };
+}
+
+/// Negative numbers become 0, which the core refuses by name.
+template <typename Unsigned, typename Signed>
+Unsigned AtLeastZero(Signed value)
+{
+  return value > 0 ? static_cast<Unsigned>(value) : Unsigned{ 0 };
+}
+
+/// ParaView's lists of arrays send the word "None" for no array.
+std::string ArrayName(const char* name)
+{
+  const std::string given = name ? name : "";
+  return given == "None" ? "" : given;
+}
+
+} // namespace
+
+PhotonTransport::Lamp LampOf(vtkIlluminationMap* filter)
+{
+  const glm::dvec3 position = Vector(filter->GetLampPosition());
+  const glm::dvec3 direction = Vector(filter->GetLampDirection());
+  const double* size = filter->GetLampSize();
+  const double flux = filter->GetLuminousFlux();
+  switch (filter->GetLampType())
+  {
+    case vtkIlluminationMap::POINT:
+      return PhotonTransport::PointLamp{ position, flux };
+    case vtkIlluminationMap::LAMBERTIAN_POINT:
+      return PhotonTransport::LambertianPointLamp{ position, direction, flux };
+    case vtkIlluminationMap::SPOT:
+      return PhotonTransport::SpotLamp{ position, direction,
+        vtkMath::RadiansFromDegrees(filter->GetSpotHalfAngle()), filter->GetSpotExponent(), flux };
+    case vtkIlluminationMap::RECTANGLE:
+      return PhotonTransport::RectangleLamp{ position, direction, size[0], size[1], flux };
+    case vtkIlluminationMap::DISK:
+      return PhotonTransport::DiskLamp{ position, direction, size[0], flux };
+    case vtkIlluminationMap::EMITTING_FACETS:
+      return PhotonTransport::EmittingFacets{};
+    default:
+      return PhotonTransport::ParallelLight{ direction, filter->GetParallelIlluminance() };
+  }
+}
+
+PhotonTransport::TraceSettings SettingsOf(vtkIlluminationMap* filter)
+{
+  PhotonTransport::TraceSettings settings;
+  settings.seed = static_cast<std::uint32_t>(filter->GetSeed());
+  settings.sampling = static_cast<PhotonTransport::Sampling>(filter->GetSampling());
+  settings.registration = static_cast<PhotonTransport::Registration>(filter->GetRegistration());
+  settings.interreflection = filter->GetInterreflection();
+  settings.registerBackSide = filter->GetRegisterBackSide();
+  settings.weightBound = static_cast<float>(filter->GetWeightBound());
+  settings.maximumPathLength = AtLeastZero<std::uint32_t>(filter->GetMaximumPathLength());
+  settings.threads = filter->GetNumberOfThreads();
+  return settings;
+}
+
+PhotonTransport::StopRules RulesOf(vtkIlluminationMap* filter)
+{
+  PhotonTransport::StopRules rules;
+  rules.photons = AtLeastZero<std::uint64_t>(filter->GetPhotons());
+  rules.relativeError = filter->GetTargetRelativeError();
+  rules.seconds = filter->GetTimeLimit();
+  return rules;
+}
+
+SurfaceDescription DescriptionOf(vtkIlluminationMap* filter)
+{
+  SurfaceDescription description;
+  description.reflectance = filter->GetReflectance();
+  description.reflectanceArray = ArrayName(filter->GetReflectanceArray());
+  if (filter->GetLampType() == vtkIlluminationMap::EMITTING_FACETS)
+  {
+    description.exitanceArray = ArrayName(filter->GetExitanceArray());
+    if (description.exitanceArray.empty())
+    {
+      throw InputError("emitting facets need an ExitanceArray (lm/m^2 per cell); none is named");
+    }
+  }
+  description.metresPerUnit = filter->GetMetresPerUnit();
+  description.featureAngle = filter->GetFeatureAngle();
+  return description;
+}

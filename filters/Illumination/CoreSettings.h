@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The filter's properties in the core's terms.
+#ifndef CoreSettings_h
+#define CoreSettings_h
+
+#include "SceneBlocks.h"
+
+#include "PhotonTransport/lights/Lamp.h"
+#include "PhotonTransport/transport/IlluminationRun.h"
+
+class vtkIlluminationMap;
+
+PhotonTransport::Lamp LampOf(vtkIlluminationMap* filter);
+PhotonTransport::TraceSettings SettingsOf(vtkIlluminationMap* filter);
+PhotonTransport::StopRules RulesOf(vtkIlluminationMap* filter);
+
+/// Throws InputError if the lamp needs an array and none is named.
+SurfaceDescription DescriptionOf(vtkIlluminationMap* filter);
+
+#endif
