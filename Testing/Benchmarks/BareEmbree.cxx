@@ -22,8 +22,8 @@ struct BareEmbree::Implementation
   RTCScene scene = nullptr;
 };
 
-BareEmbree::BareEmbree(
-  const PhotonTransport::Scene& scene, const std::vector<PhotonTransport::Ray>& rays, int threads)
+BareEmbree::BareEmbree(const PhotonTransport::Scene& scene,
+  const std::vector<PhotonTransport::Ray>& rays, int threads, bool robust)
   : Impl(std::make_unique<Implementation>(threads))
 {
   this->Impl->rays = rays;
@@ -43,7 +43,7 @@ BareEmbree::BareEmbree(
   }
   rtcCommitGeometry(geometry);
   this->Impl->scene = rtcNewScene(this->Impl->device);
-  rtcSetSceneFlags(this->Impl->scene, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneFlags(this->Impl->scene, robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
   rtcAttachGeometry(this->Impl->scene, geometry);
   rtcReleaseGeometry(geometry);
   rtcCommitScene(this->Impl->scene);

@@ -9,20 +9,18 @@
 //
 // The two are measured alternately; medians of the runs and of their quotients are printed.
 #include "BareEmbree.h"
+#include "Measurement.h"
 #include "MeshFile.h"
 #include "Shapes.h"
 
-#include "PhotonTransport/transport/PhotonTracer.h"
-#include "PhotonTransport/transport/Walk.h"
-
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <vector>
 
 using namespace PhotonTransport;
+using Measurement::Median;
+using Measurement::Seconds;
 
 namespace
 {
@@ -31,55 +29,13 @@ constexpr std::uint64_t Blocks = 2000;
 constexpr std::uint64_t Photons = Blocks * PhotonBlock;
 constexpr int Repetitions = 11;
 
-template <typename Work>
-double Seconds(const Work& work)
-{
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double Median(std::vector<double> values)
-{
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
-struct IgnoreHit
-{
-  void operator()(const Ray&, const Hit&, bool, bool) const {}
-};
-
-/// The rays that the tracer will trace, photon by photon.
-std::vector<Ray> RecordRays(const Scene& scene, const Lamp& lamp, const TraceSettings& settings)
-{
-  const Emitter emitter(lamp, scene);
-  const SequenceKey key{ settings.seed, 0, settings.sampling };
-  const WalkSettings walk{ scene, emitter, key, settings.maximumPathLength };
-  std::vector<Ray> rays;
-  PhotonBalance balance;
-  PhotonSample sample(key, 0);
-  for (std::uint64_t photon = 0; photon < Photons; ++photon, sample.Advance())
-  {
-    Flight flight{ sample.Scatterings(), 0 };
-    Ray ray = emitter.Emit(sample);
-    Hit hit;
-    do
-    {
-      rays.push_back(ray);
-      scene.Intersect(&ray, &hit, 1);
-    } while (Arrive<true>(flight, ray, hit, walk, IgnoreHit(), balance));
-  }
-  return rays;
-}
-
 void Compare(const std::string& name, const Surface& surface, const Lamp& lamp, int threads)
 {
   const Scene scene(surface);
   TraceSettings settings;
   settings.threads = threads;
   PhotonTracer tracer(scene, lamp, settings);
-  const std::vector<Ray> rays = RecordRays(scene, lamp, settings);
+  const std::vector<Ray> rays = Measurement::RecordRays(scene, lamp, settings, Photons);
   BareEmbree bare(scene, rays, threads);
 
   std::vector<double> traced, replayed, ratios;

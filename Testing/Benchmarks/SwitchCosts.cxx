@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What each accuracy switch costs by itself, as a share of the photon segments per second.
+//
+//   SwitchCosts [threads [repetitions]]
+//
+// All variants are measured in turn, over and over; a cost is the median over the repetitions of
+// the quotient of two rates of the same repetition, with the quartiles in brackets.
+#include "BareEmbree.h"
+#include "Measurement.h"
+#include "Shapes.h"
+
+#include "PhotonTransport/transport/IlluminationRun.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+using namespace PhotonTransport;
+
+namespace
+{
+
+constexpr std::uint64_t Blocks = 2000; // of each measurement but those of whole runs
+
+/// Something that is measured, and what it is compared with.
+struct Variant
+{
+  std::string name;
+  std::size_t reference;                   ///< Index of the variant that costs 0 %.
+  std::function<double()> millionSegments; ///< Works once; millions of segments a second.
+};
+
+double TraceRate(PhotonTracer& tracer, std::uint64_t blocks)
+{
+  IlluminationSums sums = tracer.EmptySums();
+  const double seconds = Measurement::Seconds([&] { tracer.Trace(0, 0, blocks, sums); });
+  return static_cast<double>(sums.balance.segments) / seconds * 1e-6;
+}
+
+/// The variants that trace the same blocks with other settings; the first is the default.
+std::vector<Variant> Tracers(const Scene& scene, const Lamp& lamp, const TraceSettings& usual)
+{
+  TraceSettings flat = usual;
+  flat.registration = Registration::Flat;
+  TraceSettings ratio = usual;
+  ratio.registration = Registration::FacetRatio;
+  TraceSettings random = usual;
+  random.sampling = Sampling::Random;
+  TraceSettings back = usual;
+  back.registerBackSide = true;
+  const auto variant = [&](const char* name, const TraceSettings& settings)
+  {
+    auto tracer = std::make_shared<PhotonTracer>(scene, lamp, settings);
+    return Variant{ name, 0, [tracer] { return TraceRate(*tracer, Blocks); } };
+  };
+  return { variant("VertexNormalised, Sobol, front only", usual),
+    variant("Flat registration instead", flat), variant("FacetRatio registration instead", ratio),
+    variant("random instead of Sobol", random), variant("back side array too", back) };
+}
+
+/// One long sequence, bare, and a whole run of the same photons in 8 replicates with its
+/// statistics.
+void AddRuns(std::vector<Variant>& variants, const Scene& scene, const Lamp& lamp,
+  const TraceSettings& settings, std::uint64_t millions)
+{
+  const std::uint64_t share = settings.replicates * PhotonBlock;
+  const std::uint64_t blocks =
+    (millions * 1'000'000 + share - 1) / share * settings.replicates; // as the run rounds up
+  auto tracer = std::make_shared<PhotonTracer>(scene, lamp, settings);
+  const std::string photons = std::to_string(millions) + " M photons, ";
+  variants.push_back({ photons + "one sequence, no statistics", variants.size(),
+    [tracer, blocks] { return TraceRate(*tracer, blocks); } });
+  const auto run = [&scene, lamp, settings, blocks]
+  {
+    IlluminationRun whole(scene, lamp, settings);
+    const double seconds = Measurement::Seconds([&] { whole.Advance({ blocks * PhotonBlock }); });
+    return static_cast<double>(whole.Balance().segments) / seconds * 1e-6;
+  };
+  variants.push_back({ photons + "8 replicates and statistics", variants.size() - 1, run });
+}
+
+/// Bare Embree with and without its robust flag.
+void AddEmbree(std::vector<Variant>& variants, const Scene& scene, const Lamp& lamp,
+  const TraceSettings& settings)
+{
+  const auto rays = std::make_shared<std::vector<Ray>>(
+    Measurement::RecordRays(scene, lamp, settings, Blocks * PhotonBlock));
+  const std::size_t reference = variants.size();
+  for (const bool robust : { false, true })
+  {
+    auto embree = std::make_shared<BareEmbree>(scene, *rays, settings.threads, robust);
+    variants.push_back({ robust ? "bare Embree, robust" : "bare Embree, not robust", reference,
+      [embree, rays]
+      {
+        const double seconds = Measurement::Seconds([&] { embree->Replay(); });
+        return static_cast<double>(rays->size()) / seconds * 1e-6;
+      } });
+  }
+}
+
+double Quantile(std::vector<double> values, double share)
+{
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+}
+
+void PrintCosts(const std::vector<Variant>& variants, const std::vector<std::vector<double>>& rates)
+{
+  std::printf("| variant | million segments/s | cost, %% of the rate | quartiles |\n"
+              "|---|---|---|---|\n");
+  for (std::size_t v = 0; v < variants.size(); ++v)
+  {
+    const double rate = Measurement::Median(rates[v]);
+    if (variants[v].reference == v)
+    {
+      std::printf("| %s | %.2f | | |\n", variants[v].name.c_str(), rate);
+      continue;
+    }
+    std::vector<double> costs;
+    for (std::size_t repetition = 0; repetition < rates[v].size(); ++repetition)
+    {
+      costs.push_back(
+        100.0 * (1.0 - rates[v][repetition] / rates[variants[v].reference][repetition]));
+    }
+    std::printf("| %s | %.2f | %+.1f | %+.1f to %+.1f |\n", variants[v].name.c_str(), rate,
+      Measurement::Median(costs), Quantile(costs, 0.25), Quantile(costs, 0.75));
+  }
+  std::fflush(stdout);
+}
+
+void Measure(int triangles, int threads, int repetitions)
+{
+  const Scene scene(Shapes::WithReflectance(Shapes::RoomWithSphere(triangles), 0.5f));
+  const Lamp lamp = PointLamp{ { -1.0, 0.5, 0.8 }, 1000.0 };
+  TraceSettings settings;
+  settings.threads = threads;
+  std::vector<Variant> variants = Tracers(scene, lamp, settings);
+  AddRuns(variants, scene, lamp, settings, 1);
+  AddRuns(variants, scene, lamp, settings, 4);
+  AddEmbree(variants, scene, lamp, settings);
+
+  std::vector<std::vector<double>> rates(variants.size());
+  for (int repetition = -1; repetition < repetitions; ++repetition) // the first to warm up
+  {
+    for (std::size_t v = 0; v < variants.size(); ++v)
+    {
+      const double rate = variants[v].millionSegments();
+      if (repetition >= 0)
+      {
+        rates[v].push_back(rate);
+      }
+    }
+  }
+  std::printf("\nRoom with sphere, reflectance 0.5: %zu triangles, %zu vertices; threads: %d\n\n",
+    scene.Facets().size(), scene.Vertices().size(), threads);
+  PrintCosts(variants, rates);
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  const int threads = argc > 1 ? std::atoi(argv[1]) : 2;
+  const int repetitions = argc > 2 ? std::atoi(argv[2]) : 11;
+  for (const int triangles : { 20'000, 100'000 })
+  {
+    Measure(triangles, threads, repetitions);
+  }
+  return 0;
+}
