@@ -3,13 +3,14 @@
 
 import matplotlib
 import numpy as np
+from PIL import Image
 
 from comparison import with_array
 from pictures import BAR, GAP, INK, MARGIN, TITLE, Camera, Page, Panel, Row, Scale, draw_row
 
 WIDTH = 1400  # pixels
 ALONG_THE_AISLE = Camera(position=(0.12, 0.0, 1.5), focus=(4.0, 0.0, 1.37), angle=62.0)
-BIN_AND_SEATS = Camera(position=(0.95, -0.4, 1.42), focus=(2.7, 0.95, 1.55), angle=46.0)
+BIN_AND_SEATS = Camera(position=(1.0, -0.1, 1.62), focus=(2.7, 0.95, 1.42), angle=40.0)
 DECADES = "Decades of lux"  # point array: log10 of the illuminance, in lx
 
 
@@ -24,7 +25,7 @@ class LuxPage(Page):
         axes.axis("on")
         norm = matplotlib.colors.LogNorm(10.0**scale.lowest, 10.0**scale.highest)
         bar = self.figure.colorbar(matplotlib.cm.ScalarMappable(norm, scale.colours), cax=axes)
-        ticks = [lux for lux in (20, 50, 100, 200, 500, 1000, 2000, 5000)]
+        ticks = (20, 50, 100, 200, 500, 1000, 2000, 4000)
         bar.set_ticks([lux for lux in ticks if norm.vmin <= lux <= norm.vmax * 1.001])
         bar.ax.yaxis.set_major_formatter("{x:.0f}")
         bar.ax.minorticks_off()
@@ -32,10 +33,20 @@ class LuxPage(Page):
         bar.ax.tick_params(labelsize=12, colors=INK)
         bar.outline.set_visible(False)
 
+    def save(self, path):
+        """Writes the page as a small PNG: 226 colours of the map, 30 greys for the text."""
+        super().save(path)
+        colours = matplotlib.colormaps["inferno"](np.linspace(0.0, 1.0, 226))[:, :3]
+        greys = np.repeat(np.linspace(0.1, 1.0, 30)[:, None], 3, axis=1)
+        palette = Image.new("P", (1, 1))
+        palette.putpalette(np.rint(255.0 * np.vstack([colours, greys])).astype(int).ravel().tolist())
+        picture = Image.open(path).convert("RGB")
+        picture.quantize(palette=palette, dither=Image.Dither.NONE).save(path, optimize=True)
 
-def panels(maps, array):
+
+def panels(maps, array, titled):
     """One panel for every registration's map, coloured by a point array."""
-    return [Panel(title, surface, array) for title, surface in maps.items()]
+    return [Panel(title if titled else "", surface, array) for title, surface in maps.items()]
 
 
 def with_decades(found, lowest):
@@ -49,8 +60,8 @@ def draw_cabin(path, maps, lowest, highest, detail):
     decades = Scale(DECADES, float(np.log10(lowest)), float(np.log10(highest)))
     lux = Scale("Illuminance, lx", 0.0, detail)
     rows = [
-        Row(decades, panels(surfaces, DECADES), ALONG_THE_AISLE, 400),
-        Row(lux, panels(surfaces, "Illuminance"), BIN_AND_SEATS, 330),
+        Row(decades, panels(surfaces, DECADES, True), ALONG_THE_AISLE, 400),
+        Row(lux, panels(surfaces, "Illuminance", False), BIN_AND_SEATS, 330),
     ]
     panel = (WIDTH - 2 * MARGIN - BAR - (len(maps) - 1) * GAP) // len(maps)
     page = LuxPage(WIDTH, 2 * MARGIN + GAP + sum(TITLE + row.height for row in rows))
