@@ -9,6 +9,16 @@
 namespace PhotonTransport
 {
 
+/// Consecutive elements of an array.
+template <typename Element>
+struct Range
+{
+  const Element* first;
+  const Element* last;
+  const Element* begin() const { return this->first; }
+  const Element* end() const { return this->last; }
+};
+
 /// For each vertex its ring: the facets that share it, as one flat list.
 class FacetRings
 {
@@ -16,22 +26,20 @@ public:
   FacetRings() = default;
   FacetRings(std::size_t vertexCount, const std::vector<glm::uvec3>& facets);
 
-  struct Range
+  /// The facets of all rings, one ring after the other.
+  const std::vector<std::uint32_t>& Facets() const { return this->Flat; }
+
+  /// The part of an array parallel to Facets() that belongs to a vertex.
+  template <typename Element>
+  Range<Element> Of(std::uint32_t vertex, const std::vector<Element>& parallel) const
   {
-    const std::uint32_t* first;
-    const std::uint32_t* last;
-    const std::uint32_t* begin() const { return this->first; }
-    const std::uint32_t* end() const { return this->last; }
-  };
-  Range Of(std::uint32_t vertex) const
-  {
-    const std::uint32_t* base = this->Facets.data();
-    return { base + this->Offsets[vertex], base + this->Offsets[vertex + 1] };
+    return { parallel.data() + this->Offsets[vertex], parallel.data() + this->Offsets[vertex + 1] };
   }
+  Range<std::uint32_t> Of(std::uint32_t vertex) const { return this->Of(vertex, this->Flat); }
 
 private:
   std::vector<std::uint64_t> Offsets;
-  std::vector<std::uint32_t> Facets;
+  std::vector<std::uint32_t> Flat;
 };
 
 } // namespace PhotonTransport

@@ -185,23 +185,26 @@ Prepared Prepare(const DiskLamp& lamp, const Scene& scene)
 
 Prepared Prepare(const EmittingFacets&, const Scene& scene)
 {
-  std::vector<double> cumulative;
-  cumulative.reserve(scene.Exitance().size());
+  FacetEmitter emitter{ &scene, {}, {} };
   double sum = 0.0;
-  for (std::size_t f = 0; f < scene.Exitance().size(); ++f)
+  for (std::uint32_t f = 0; f < scene.Exitance().size(); ++f)
   {
-    sum += scene.Exitance()[f] * double{ glm::length(scene.AreaVectors()[f]) };
-    cumulative.push_back(sum);
+    if (scene.Exitance()[f] > 0.0f)
+    {
+      sum += scene.Exitance()[f] * double{ glm::length(scene.AreaVectors()[f]) };
+      emitter.facets.push_back(f);
+      emitter.cumulativeFlux.push_back(sum);
+    }
   }
   if (!(sum > 0.0))
   {
     RefuseLamp("no facet has an exitance above 0 lm/m^2");
   }
-  for (double& value : cumulative)
+  for (double& value : emitter.cumulativeFlux)
   {
     value /= sum;
   }
-  return { FacetEmitter{ &scene, std::move(cumulative) }, sum * scene.SquareMetresPerSceneArea() };
+  return { std::move(emitter), sum * scene.SquareMetresPerSceneArea() };
 }
 
 Prepared Prepare(const UniformSky& sky, const Scene& scene)
@@ -261,7 +264,8 @@ Ray FacetEmitter::Emit(const PhotonSample& sample) const
   const auto chosen =
     std::upper_bound(this->cumulativeFlux.begin(), this->cumulativeFlux.end(), choice);
   const auto index = static_cast<std::size_t>(chosen - this->cumulativeFlux.begin());
-  const Facet& facet = this->scene->Facets()[std::min(index, this->cumulativeFlux.size() - 1)];
+  const Facet& facet =
+    this->scene->Facets()[this->facets[std::min(index, this->facets.size() - 1)]];
   const glm::vec2 b = UniformTriangle(sample.Emission(0), sample.Emission(1));
   const glm::vec3 barycentric(std::max(0.0f, 1.0f - b.x - b.y), b.x, b.y);
   return { this->scene->SafeOrigin(facet, barycentric, true),

@@ -45,7 +45,8 @@ struct PanelEmitter
 struct FacetEmitter
 {
   const Scene* scene;
-  std::vector<double> cumulativeFlux; ///< Normalised to end at 1.
+  std::vector<std::uint32_t> facets;  ///< Those that shine.
+  std::vector<double> cumulativeFlux; ///< Of them, normalised to end at 1.
   Ray Emit(const PhotonSample& sample) const;
 };
 

@@ -29,9 +29,9 @@ enum class Registration : int
 inline float ShownArea(const Scene& scene, std::uint32_t v, const glm::vec3& towards, float side)
 {
   float sum = 0.0f;
-  for (const std::uint32_t f : scene.Rings().Of(v))
+  for (const glm::vec3& area : scene.RingAreas(v))
   {
-    sum += std::max(0.0f, side * glm::dot(towards, scene.AreaVectors()[f]));
+    sum += std::max(0.0f, side * glm::dot(towards, area));
   }
   return sum * scene.Vertices()[v].inverseThreeAreas;
 }

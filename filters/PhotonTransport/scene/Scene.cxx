@@ -127,6 +127,11 @@ void Scene::AddVertices(const Surface& surface, const std::vector<glm::vec3>& po
     kept.push_back(facet.vertices);
   }
   this->VertexRings = FacetRings(positions.size(), kept);
+  this->AreasByRing.reserve(this->VertexRings.Facets().size());
+  for (const std::uint32_t f : this->VertexRings.Facets())
+  {
+    this->AreasByRing.push_back(this->FacetAreas[f]);
+  }
 
   this->VertexRecords.reserve(positions.size());
   this->Areas.reserve(positions.size());
@@ -141,10 +146,10 @@ Vertex Scene::MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const g
 {
   glm::dvec3 areaVectors(0.0);
   double areas = 0.0;
-  for (const std::uint32_t f : this->VertexRings.Of(v))
+  for (const glm::vec3& area : this->RingAreas(v))
   {
-    areaVectors += glm::dvec3(this->FacetAreas[f]);
-    areas += glm::length(glm::dvec3(this->FacetAreas[f]));
+    areaVectors += glm::dvec3(area);
+    areas += glm::length(glm::dvec3(area));
   }
   this->Areas.push_back(areas / 3.0 * this->SquareMetresPerSceneArea());
   if (!(areas > 0.0))
@@ -159,10 +164,9 @@ Vertex Scene::MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const g
     normal = UsableNormal(areaVectors);
   }
   double leastCosine = 1.0;
-  for (const std::uint32_t f : this->VertexRings.Of(v))
+  for (const glm::vec3& area : this->RingAreas(v))
   {
-    leastCosine =
-      std::min(leastCosine, glm::dot(normal, glm::normalize(glm::dvec3(this->FacetAreas[f]))));
+    leastCosine = std::min(leastCosine, glm::dot(normal, glm::normalize(glm::dvec3(area))));
   }
   const double sinTilt =
     leastCosine > 0.0 ? std::sqrt(std::max(0.0, 1.0 - leastCosine * leastCosine)) : 2.0;

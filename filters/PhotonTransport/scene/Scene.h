@@ -80,6 +80,11 @@ public:
   const std::vector<Facet>& Facets() const { return this->FacetRecords; }
   const std::vector<Vertex>& Vertices() const { return this->VertexRecords; }
   const FacetRings& Rings() const { return this->VertexRings; }
+  /// Area vectors of the ring of a vertex, side by side in memory.
+  Range<glm::vec3> RingAreas(std::uint32_t vertex) const
+  {
+    return this->VertexRings.Of(vertex, this->AreasByRing);
+  }
   /// Area vectors |a_f| n_f of the facets, scene units squared.
   const std::vector<glm::vec3>& AreaVectors() const { return this->FacetAreas; }
   /// lm/m^2 of each facet's front; empty if no facet emits.
@@ -103,6 +108,7 @@ private:
   std::vector<glm::vec3> FacetAreas;
   std::vector<float> FacetExitance;
   FacetRings VertexRings;
+  std::vector<glm::vec3> AreasByRing;
   SceneNotes Found;
   std::vector<double> Areas;
   std::vector<Vertex> VertexRecords;
