@@ -26,22 +26,22 @@ enum class Registration : int
 
 /// Area that the ring of `v` shows to light arriving from `towards`, over its whole area:
 /// sum (towards . a_f)^+ / sum |a_f|. Only grazing light needs the walk round the ring.
-inline float ShownArea(const Scene& scene, std::uint32_t v, const glm::vec3& towards, float side)
+inline float ShownArea(const Scene& scene, std::uint32_t v, const glm::vec3& towards)
 {
   float sum = 0.0f;
   for (const glm::vec3& area : scene.RingAreas(v))
   {
-    sum += std::max(0.0f, side * glm::dot(towards, area));
+    sum += std::max(0.0f, glm::dot(towards, area));
   }
   return sum * scene.Vertices()[v].inverseThreeAreas;
 }
 
 /// Weights of one hit for the three vertices of its facet, before the bound; each within
-/// [0, LargestFactor] times its barycentric coordinate. @param towards Unit, back along the ray.
-/// @param side +1 on the front, -1 on the back.
+/// [0, LargestFactor] times its barycentric coordinate. @param towards Unit, back along the ray
+/// for a hit on the front; for one on the back its opposite, which is on the front.
 template <Registration Kind>
-glm::vec3 HitWeights(const Scene& scene, const Facet& facet, const glm::vec3& barycentric,
-  const glm::vec3& towards, float side)
+glm::vec3 HitWeights(
+  const Scene& scene, const Facet& facet, const glm::vec3& barycentric, const glm::vec3& towards)
 {
   if constexpr (Kind == Registration::Flat)
   {
@@ -55,12 +55,12 @@ glm::vec3 HitWeights(const Scene& scene, const Facet& facet, const glm::vec3& ba
       smooth += barycentric[corner] * scene.Vertices()[facet.vertices[corner]].normal;
     }
     const float length = glm::length(smooth);
-    const float cosSmooth = side * glm::dot(towards, smooth);
+    const float cosSmooth = glm::dot(towards, smooth);
     if (!(cosSmooth > 0.0f && length > 0.0f))
     {
       return glm::vec3(0.0f);
     }
-    const float cosFlat = std::max(0.0f, side * glm::dot(towards, facet.normal));
+    const float cosFlat = std::max(0.0f, glm::dot(towards, facet.normal));
     // Formula (2) as its text means it: the first s_norm is the smooth normal, the second the flat.
     return std::min(cosSmooth / (length * cosFlat), LargestFactor) * barycentric;
   }
@@ -71,13 +71,13 @@ glm::vec3 HitWeights(const Scene& scene, const Facet& facet, const glm::vec3& ba
     {
       const std::uint32_t v = facet.vertices[corner];
       const Vertex& vertex = scene.Vertices()[v];
-      const float cosine = side * glm::dot(towards, vertex.normal);
+      const float cosine = glm::dot(towards, vertex.normal);
       if (!(cosine > 0.0f))
       {
         continue;
       }
-      const float shown = cosine >= vertex.sinTilt ? side * glm::dot(towards, vertex.shownArea)
-                                                   : ShownArea(scene, v, towards, side);
+      const float shown = cosine >= vertex.sinTilt ? glm::dot(towards, vertex.shownArea)
+                                                   : ShownArea(scene, v, towards);
       // The hit facet is in the ring, so only rounding at grazing incidence can bring this to 0.
       weights[corner] =
         barycentric[corner] * std::min(cosine / std::max(0.0f, shown), LargestFactor);
@@ -103,11 +103,11 @@ public:
   {
     if (front)
     {
-      this->Register(ray, hit, 1.0f, direct, this->Sums.front);
+      this->Register(hit, -ray.direction, direct, this->Sums.front);
     }
     else if constexpr (BackSide)
     {
-      this->Register(ray, hit, -1.0f, direct, this->Sums.back);
+      this->Register(hit, ray.direction, direct, this->Sums.back);
     }
   }
 
@@ -127,11 +127,10 @@ public:
 
 private:
   void Register(
-    const Ray& ray, const Hit& hit, float side, bool direct, std::vector<VertexSums>& map) const
+    const Hit& hit, const glm::vec3& towards, bool direct, std::vector<VertexSums>& map) const
   {
     const Facet& facet = this->Surroundings.Facets()[hit.facet];
-    const glm::vec3 weights =
-      HitWeights<Kind>(this->Surroundings, facet, hit.barycentric, -ray.direction, side);
+    const glm::vec3 weights = HitWeights<Kind>(this->Surroundings, facet, hit.barycentric, towards);
     for (int corner = 0; corner < 3; ++corner)
     {
       float weight = weights[corner];
