@@ -2,7 +2,7 @@
 """What accuracy costs in time: true and estimated error against photons and seconds.
 
 Run by pvbatch: accuracy_and_time.py OUTPUT_DIR [--quick] [--check | --redraw]. Writes
-accuracy_and_time.csv, a figure for each scene and a table there. --check measures only what is
+accuracy_and_time.csv, a figure for each scene, all of them in one and a table there. --check measures only what is
 promised and fails where it does not hold; --redraw draws the figures anew from the CSV.
 """
 
@@ -17,7 +17,7 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "common")]
 
 import tables  # noqa: E402
-from charts import draw  # noqa: E402
+from charts import draw, stack  # noqa: E402
 from checks import run_checks  # noqa: E402
 from illumination import REGISTRATIONS, load_plugin  # noqa: E402
 from runs import Run, curve, long_run, photon_numbers  # noqa: E402
@@ -127,6 +127,7 @@ def main(output, options):
     for name, scene in scenes.items():
         own = [row for row in rows if row["Scene"] == name]
         draw(output / f"{name}.png", scene, own, machine(), steep=name in STEEP)
+    stack([output / f"{name}.png" for name in scenes], output / "accuracy_and_time.png")
     return 0
 
 

@@ -8,6 +8,7 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402  (the backend comes first)
 from matplotlib.lines import Line2D  # noqa: E402
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: E402
+from PIL import Image  # noqa: E402
 
 COLOURS = {"Flat": "#c05000", "Facet Ratio": "#8050a0", "Vertex Normalised": "#0060a8"}
 PALE = {"Flat": "#e8a878", "Facet Ratio": "#c8a8d8", "Vertex Normalised": "#78b0e0"}
@@ -90,7 +91,7 @@ def slope(axes, x, y, power):
     corner = "top" if below else "bottom"
     height = y * (middle / x[0]) ** power * (0.92 if below else 1.08)
     side = "right" if below else "left"
-    style = {"fontsize": 10, "color": FAINT, "va": corner, "ha": side}
+    style = {"fontsize": 10, "color": "#707070", "va": corner, "ha": side}
     axes.text(middle, height, names[power], **style)
 
 
@@ -190,7 +191,7 @@ def key(figure):
 def draw(path, scene, rows, machine, steep):
     """The figure of one scene; steep: Sobol's error falls as 1 / photons."""
     figure, panels = pyplot.subplots(1, 2, figsize=(14.5, 5.6), dpi=100, sharey=True)
-    figure.subplots_adjust(left=0.06, right=0.845, top=0.815, bottom=0.1, wspace=0.5)
+    figure.subplots_adjust(left=0.06, right=0.845, top=0.815, bottom=0.1, wspace=0.56)
     figure.text(0.06, 0.95, scene.title, fontsize=14, fontweight="bold", color=INK)
     figure.text(0.985, 0.955, machine, fontsize=10, color=FAINT, ha="right")
     key(figure)
@@ -203,3 +204,15 @@ def draw(path, scene, rows, machine, steep):
     figure.savefig(path)
     pyplot.close(figure)
     print(f"Picture: {path}", flush=True)
+
+
+def stack(paths, target):
+    """All figures in one, of few colours so that it stays small."""
+    pictures = [Image.open(path).convert("RGB") for path in paths]
+    sheet = Image.new("RGB", (pictures[0].width, sum(p.height for p in pictures)))
+    top = 0
+    for picture in pictures:
+        sheet.paste(picture, (0, top))
+        top += picture.height
+    sheet.quantize(64, dither=Image.Dither.NONE).save(target, optimize=True)
+    print(f"Picture: {target}", flush=True)

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs the filter IlluminationMap on a surface and hands out what it found."""
+
+import os
+from dataclasses import dataclass
+
+import numpy as np
+from paraview import servermanager, simple
+from vtk.util.numpy_support import vtk_to_numpy
+
+REGISTRATIONS = ("Flat", "Facet Ratio", "Vertex Normalised")
+
+
+@dataclass
+class IlluminationMap:
+    """A surface with its illumination map."""
+
+    surface: object  # vtkPolyData with the filter's arrays
+    facts: dict  # the filter's field data of one value each: name -> number or text
+
+    def array(self, name="Illuminance"):
+        """A point array, such as the illuminance in lx."""
+        return vtk_to_numpy(self.surface.GetPointData().GetArray(name))
+
+
+def load_plugin():
+    """Makes the filter known to ParaView; the environment says where the plugin is."""
+    simple.LoadPlugin(os.environ["ILLUMINATION_PLUGIN"], remote=False, ns=vars(simple))
+
+
+def as_source(data):
+    """A ParaView source that hands out a VTK data object."""
+    source = simple.TrivialProducer()
+    source.GetClientSideObject().SetOutput(data)
+    source.UpdatePipeline()
+    return source
+
+
+def field_value(data, name):
+    """The first value of a field array: a number or text."""
+    return data.GetFieldData().GetAbstractArray(name).GetVariantValue(0).ToString()
+
+
+def facts_of(data):
+    """The field arrays of one value each: name -> number or text."""
+    arrays = data.GetFieldData()
+    facts = {}
+    for i in range(arrays.GetNumberOfArrays()):
+        array = arrays.GetAbstractArray(i)
+        if array.GetNumberOfValues() == 1:
+            value = array.GetVariantValue(0)
+            facts[array.GetName()] = value.ToDouble() if array.IsNumeric() else value.ToString()
+    return facts
+
+
+def illuminate(surface, **properties):
+    """The illumination map of a vtkPolyData; properties are those of the filter, by name."""
+    source = as_source(surface)
+    proxy = simple.IlluminationMap(Input=source, **properties)
+    proxy.UpdatePipeline()
+    result = servermanager.Fetch(proxy)
+    simple.Delete(proxy)
+    simple.Delete(source)
+    if result.GetPointData().GetArray("Illuminance") is None:
+        raise RuntimeError("IlluminationMap has failed; its message is above")
+    return IlluminationMap(result, facts_of(result))
+
+
+def illuminance_of_seeds(surface, seeds, array="Illuminance", **properties):
+    """Illuminance (lx) by independent runs: one row a seed, one column a point."""
+    return np.array([illuminate(surface, Seed=seed, **properties).array(array) for seed in seeds])

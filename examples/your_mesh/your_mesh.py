@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The illumination map of a mesh of yours, by every registration. Run by ../run FILE [options]."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+from paraview import servermanager, simple
+from vtk.util.numpy_support import vtk_to_numpy
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent / "common")]
+
+import tables  # noqa: E402
+from illumination import as_source, illuminate, load_plugin  # noqa: E402
+from options import ARRAYS, LAMPS, REGISTRATIONS, read_options  # noqa: E402
+from pictures import BAR, GAP, MARGIN, Panel, Row, Scale, draw  # noqa: E402
+from viewpoint import camera_for, down, light_direction  # noqa: E402
+
+GREY = (0.42, 0.44, 0.47)
+
+
+def read_surface(options):
+    """The file's surfaces as one vtkPolyData."""
+    reader = simple.OpenDataFile(str(options.file))
+    if reader is None:
+        sys.exit(f"ParaView knows no reader for {options.file}")
+    reader.UpdatePipeline()
+    kind = reader.GetDataInformation().GetDataSetTypeAsString()
+    if kind != "vtkPolyData":
+        reader = simple.ExtractSurface(Input=reader)
+        reader = simple.MergeBlocks(Input=reader, OutputDataSetType="Polydata")
+    if options.reverse:
+        reader = simple.ReverseSense(Input=reader)
+    reader.UpdatePipeline()
+    surface = servermanager.Fetch(reader)
+    if not surface or surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
+        sys.exit(f"{options.file} holds no surface that could be lit (read as {kind})")
+    return surface
+
+
+def filter_properties(options):
+    """The options as properties of the filter."""
+    parallel = options.lamp == "parallel"
+    default = light_direction(options.up) if parallel else down(options.up)
+    properties = {
+        "LampType": LAMPS[options.lamp],
+        "LampDirection": list(options.direction or default),
+        "SpotHalfAngle": options.half_angle,
+        "LuminousFlux": options.flux,
+        "ParallelIlluminance": options.illuminance,
+        "Reflectance": options.reflectance,
+        "MetresPerUnit": options.metres_per_unit,
+        "FeatureAngle": options.feature_angle,
+        "Photons": options.photons,
+        "Seed": options.seed,
+    }
+    optional = {
+        "LampPosition": options.position,
+        "LampSize": options.lamp_size and (options.lamp_size * 2)[:2],
+        "ReflectanceArray": options.reflectance_array,
+        "ExitanceArray": options.exitance_array,
+    }
+    properties.update({key: value for key, value in optional.items() if value is not None})
+    return properties
+
+
+def triangle_values(surface, values):
+    """Area (data's unit, squared) and mean of a point array for every triangle of a vtkPolyData."""
+    triangles = simple.Triangulate(Input=as_source(surface))
+    triangles.UpdatePipeline()
+    corners = servermanager.Fetch(triangles).GetPolys().GetConnectivityArray()
+    corners = vtk_to_numpy(corners).reshape(-1, 3)
+    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+    a, b, c = points[corners].transpose(1, 0, 2)
+    return 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1), values[corners].mean(axis=1)
+
+
+def quantiles(area, values, shares):
+    """What values the given shares of the area stay below."""
+    order = np.argsort(values)
+    return np.interp(shares, np.cumsum(area[order]) / area.sum(), values[order])
+
+
+def row_of(name, found, array):
+    """One row of the table: illuminance over the area, photons and time."""
+    area, lux = triangle_values(found.surface, found.array(array))
+    noise = found.array("StandardError")
+    area_and_noise = triangle_values(found.surface, noise**2)
+    mean = float(np.average(lux, weights=area))
+    middle, high = (float(v) for v in quantiles(area, lux, [0.5, 0.95]))
+    facts = found.facts
+    return {
+        "Registration": name,
+        "Mean, lx": mean,
+        "Median, lx": middle,
+        "95 %, lx": high,
+        "RMS noise, lx": float(np.sqrt(np.average(area_and_noise[1], weights=area))),
+        **{key: int(facts[f"Photons{key}"]) for key in ("Emitted", "Absorbed", "Escaped")},
+        "Seconds": facts["Seconds"],
+        "Million segments/s": facts["SegmentsPerSecond"] / 1e6,
+    }
+
+
+def draw_maps(options, maps, path):
+    """The maps (registration -> IlluminationMap) side by side."""
+    array = ARRAYS[options.show]
+    points = vtk_to_numpy(next(iter(maps.values())).surface.GetPoints().GetData()).astype(float)
+    width, height = options.size
+    panel = (width - 2 * MARGIN - BAR) // len(maps) - GAP
+    view = (options.up, options.view_angle, panel / height, options.camera, options.focus)
+    tops = [quantiles(*triangle_values(m.surface, m.array(array)), 0.98) for m in maps.values()]
+    lowest, highest = options.range or (0.0, float(max(tops)) or 1.0)
+    clips = max(m.array(array).max() for m in maps.values()) > highest
+    scale = Scale(f"{array}, lx", lowest, highest, line_every=options.lines, clips=clips)
+    panels = [Panel(name, found.surface, array) for name, found in maps.items()]
+    rows = [Row(scale, panels, camera_for(points, *view), height)]
+    draw(path, rows, width, f"{options.file.name}, {LAMPS[options.lamp]} lamp", GREY)
+
+
+def main():
+    """Reads, lights, draws and tabulates."""
+    options = read_options()
+    load_plugin()
+    surface = read_surface(options)
+    properties = filter_properties(options)
+    wanted = [options.registration] if options.registration != "all" else REGISTRATIONS
+    names = [REGISTRATIONS[key] for key in wanted]
+    maps = {name: illuminate(surface, Registration=name, **properties) for name in names}
+    path = options.output or HERE.parent / "output" / f"{options.file.stem}.png"
+    array = ARRAYS[options.show]
+    rows = [row_of(name, found, array) for name, found in maps.items()]
+    tables.write(rows, path.with_suffix(""), f"{options.file.name}: {array}")
+    draw_maps(options, maps, path)
+    if options.save:
+        simple.SaveData(str(options.save), as_source(maps[names[-1]].surface))
+        print(f"Surface: {options.save}")
+
+
+if __name__ == "__main__":
+    main()
