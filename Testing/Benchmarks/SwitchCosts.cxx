@@ -3,8 +3,9 @@
 //
 //   SwitchCosts [threads [repetitions]]
 //
-// All variants are measured in turn, over and over; a cost is the median over the repetitions of
-// the quotient of two rates of the same repetition, with the quartiles in brackets.
+// Each variant is measured in turn with what it is compared with, each first every other time; a
+// cost is the median over the repetitions of the quotient of two neighbouring rates. The quartiles
+// tell how quiet the machine was.
 #include "BareEmbree.h"
 #include "Measurement.h"
 #include "Shapes.h"
@@ -24,7 +25,7 @@ using namespace PhotonTransport;
 namespace
 {
 
-constexpr std::uint64_t Blocks = 2000; // of each measurement but those of whole runs
+constexpr std::uint64_t Blocks = 1000; // of each measurement but those of whole runs
 
 /// Something that is measured, and what it is compared with.
 struct Variant
@@ -108,27 +109,40 @@ double Quantile(std::vector<double> values, double share)
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
 }
 
-void PrintCosts(const std::vector<Variant>& variants, const std::vector<std::vector<double>>& rates)
+/// Rates of a variant and of its reference, pair by pair.
+struct Rates
 {
-  std::printf("| variant | million segments/s | cost, %% of the rate | quartiles |\n"
-              "|---|---|---|---|\n");
-  for (std::size_t v = 0; v < variants.size(); ++v)
+  std::vector<double> own, reference;
+};
+
+Rates MeasurePairs(const Variant& variant, const Variant& reference, int repetitions)
+{
+  Rates rates;
+  for (int repetition = -1; repetition < repetitions; ++repetition) // the first to warm up
   {
-    const double rate = Measurement::Median(rates[v]);
-    if (variants[v].reference == v)
+    const bool ownFirst = repetition % 2 == 0;
+    double own = ownFirst ? variant.millionSegments() : 0.0;
+    const double other = reference.millionSegments();
+    own = ownFirst ? own : variant.millionSegments();
+    if (repetition >= 0)
     {
-      std::printf("| %s | %.2f | | |\n", variants[v].name.c_str(), rate);
-      continue;
+      rates.own.push_back(own);
+      rates.reference.push_back(other);
     }
-    std::vector<double> costs;
-    for (std::size_t repetition = 0; repetition < rates[v].size(); ++repetition)
-    {
-      costs.push_back(
-        100.0 * (1.0 - rates[v][repetition] / rates[variants[v].reference][repetition]));
-    }
-    std::printf("| %s | %.2f | %+.1f | %+.1f to %+.1f |\n", variants[v].name.c_str(), rate,
-      Measurement::Median(costs), Quantile(costs, 0.25), Quantile(costs, 0.75));
   }
+  return rates;
+}
+
+void PrintCost(const Variant& variant, const Variant& reference, const Rates& rates)
+{
+  std::vector<double> costs;
+  for (std::size_t i = 0; i < rates.own.size(); ++i)
+  {
+    costs.push_back(100.0 * (1.0 - rates.own[i] / rates.reference[i]));
+  }
+  std::printf("| %s | %s | %.2f | %.2f | %+.1f | %+.1f to %+.1f |\n", variant.name.c_str(),
+    reference.name.c_str(), Measurement::Median(rates.own), Measurement::Median(rates.reference),
+    Measurement::Median(costs), Quantile(costs, 0.25), Quantile(costs, 0.75));
   std::fflush(stdout);
 }
 
@@ -143,21 +157,18 @@ void Measure(int triangles, int threads, int repetitions)
   AddRuns(variants, scene, lamp, settings, 4);
   AddEmbree(variants, scene, lamp, settings);
 
-  std::vector<std::vector<double>> rates(variants.size());
-  for (int repetition = -1; repetition < repetitions; ++repetition) // the first to warm up
+  std::printf("\nRoom with sphere, reflectance 0.5: %zu triangles, %zu vertices; threads: %d\n\n"
+              "| variant | compared with | million segments/s | and | cost, %% of the rate | "
+              "quartiles |\n|---|---|---|---|---|---|\n",
+    scene.Facets().size(), scene.Vertices().size(), threads);
+  for (std::size_t v = 0; v < variants.size(); ++v)
   {
-    for (std::size_t v = 0; v < variants.size(); ++v)
+    const Variant& reference = variants[variants[v].reference];
+    if (&reference != &variants[v])
     {
-      const double rate = variants[v].millionSegments();
-      if (repetition >= 0)
-      {
-        rates[v].push_back(rate);
-      }
+      PrintCost(variants[v], reference, MeasurePairs(variants[v], reference, repetitions));
     }
   }
-  std::printf("\nRoom with sphere, reflectance 0.5: %zu triangles, %zu vertices; threads: %d\n\n",
-    scene.Facets().size(), scene.Vertices().size(), threads);
-  PrintCosts(variants, rates);
 }
 
 } // namespace
@@ -165,7 +176,7 @@ void Measure(int triangles, int threads, int repetitions)
 int main(int argc, char* argv[])
 {
   const int threads = argc > 1 ? std::atoi(argv[1]) : 2;
-  const int repetitions = argc > 2 ? std::atoi(argv[2]) : 11;
+  const int repetitions = argc > 2 ? std::atoi(argv[2]) : 21;
   for (const int triangles : { 20'000, 100'000 })
   {
     Measure(triangles, threads, repetitions);
