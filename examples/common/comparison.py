@@ -5,6 +5,7 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk
 
+import tables
 from pictures import Camera, Panel, Row, Scale, draw
 
 CAMERA = Camera(position=(1.0, -5.2, 1.9), focus=(0.03, 0.0, -0.03), angle=20.0)
@@ -12,12 +13,17 @@ CLOSE = Camera(position=(2.4, -4.8, -0.6), focus=(-0.1, 0.0, -0.12), angle=14.5)
 GREY = (0.42, 0.44, 0.47)
 
 
+def below_or(share, error):
+    """A share in percent; where it is within twice its standard error, what it is below."""
+    return f"< {tables.text(200.0 * error, 2)}" if share < 2.0 * error else 100.0 * share
+
+
 def accuracy_rows(results):
     """Rows of the table; all numbers in percent of the brightest point."""
     return [
         {
             "Registration": name,
-            "RMS error, %": 100.0 * a.rms,
+            "RMS error, %": below_or(a.rms, a.rms_error),
             "its standard error": 100.0 * a.rms_error,
             "Largest error, %": 100.0 * a.largest,
             "Noise, %": 100.0 * a.noise,
@@ -46,7 +52,7 @@ def summary(results):
     """The table in short, for the picture."""
     lines = [("", "RMS", " largest", "noise")]
     for name, a in results.items():
-        lines.append((name, *(f"{100.0 * share:.2f}" for share in (a.rms, a.largest, a.noise))))
+        lines.append((name, *(f"{100.0 * share:.3f}" for share in (a.rms, a.largest, a.noise))))
     return tuple(lines)
 
 

@@ -36,9 +36,10 @@ def as_source(data):
     return source
 
 
-def field_value(data, name):
-    """The first value of a field array: a number or text."""
-    return data.GetFieldData().GetAbstractArray(name).GetVariantValue(0).ToString()
+def texts(data, name):
+    """The lines of a field array of text, such as Notes or Effects."""
+    array = data.GetFieldData().GetAbstractArray(name)
+    return [array.GetValue(i) for i in range(array.GetNumberOfValues())] if array else []
 
 
 def facts_of(data):

@@ -22,16 +22,21 @@ def markdown(rows):
     return "\n".join(lines)
 
 
+def write_csv(rows, path):
+    """Writes rows (dicts of the same keys) as CSV."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with open(path, "w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(list(rows[0]))
+        writer.writerows([text(v, 6) for v in row.values()] for row in rows)
+
+
 def write(rows, stem, heading):
     """Prints a table and writes it to stem.csv and stem.md (a pathlib.Path without suffix)."""
     table = markdown(rows)
     print(f"\n{heading}\n\n{table}\n", flush=True)
-    stem.parent.mkdir(parents=True, exist_ok=True)
+    write_csv(rows, stem.with_suffix(".csv"))
     stem.with_suffix(".md").write_text(f"{heading}\n\n{table}\n")
-    with open(stem.with_suffix(".csv"), "w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(list(rows[0]))
-        writer.writerows([text(v, 6) for v in row.values()] for row in rows)
 
 
 def read(path):

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A coarse cylinder and sphere under parallel light, by each registration and exactly.
 
-Figures 2 to 4 of the paper, and our own registration. Run by pvbatch: cylinder_and_sphere.py OUTPUT_DIR. Writes pictures and a table there.
+Figures 2 to 4 of the paper, and our own registration. Run by pvbatch: cylinder_and_sphere.py
+OUTPUT_DIR. Writes pictures and a table there.
 """
 
 import sys
@@ -28,6 +29,11 @@ FIGURES = {  # of the paper
 }
 PHOTONS = 4_000_000
 SEEDS = range(1, 9)
+
+
+def scene():
+    """Both bodies as one vtkPolyData."""
+    return bodies.appended(bodies.cylinder(), bodies.sphere())
 
 
 def exact_illuminance(surface):
@@ -64,7 +70,7 @@ def main(output):
     from comparison import accuracy_rows, compare  # it renders, which check.py need not
 
     load_plugin()
-    surface = bodies.appended(bodies.cylinder(), bodies.sphere())
+    surface = scene()
     maps = illumination_maps(surface)
     results = measured(surface, maps)
     heading = "Cylinder and sphere under parallel light of 1000 lx"

@@ -36,7 +36,7 @@ SEEDS = range(1, 5)
 
 
 def scene():
-    """Bodies that reflect nothing and, after them, the disk; cell array Reflectance."""
+    """Bodies that reflect nothing, and the same with the disk after them; cell array Reflectance."""
     black = bodies.appended(bodies.cylinder(), bodies.sphere())
     across = np.cross(DISK.normal, (0.0, 0.0, 1.0))
     across /= np.linalg.norm(across) / DISK.radius
@@ -69,16 +69,21 @@ def illumination_maps(whole, points, photons=PHOTONS, seeds=SEEDS):
     }
 
 
+def measured(black, maps):
+    """The exact illuminance of the bodies (lx), and how far the maps are from it: name -> Accuracy."""
+    exact = illuminance(*bodies.points_and_normals(black), DISK, spot_on_disk(SPOT, DISK))
+    areas = point_areas(black)
+    return exact, {name: accuracy(values, exact, areas) for name, values in maps.items()}
+
+
 def main(output):
     """Draws the pictures and writes the table into a folder."""
     from comparison import accuracy_rows, compare  # it renders
 
     load_plugin()
     black, whole = scene()
-    exact = illuminance(*bodies.points_and_normals(black), DISK, spot_on_disk(SPOT, DISK))
     maps = illumination_maps(whole, black.GetNumberOfPoints())
-    areas = point_areas(black)
-    results = {name: accuracy(values, exact, areas) for name, values in maps.items()}
+    exact, results = measured(black, maps)
     heading = "Cylinder and sphere in light that a disk reflects"
     tables.write(accuracy_rows(results), output / "reflecting_disk", heading)
     means = {name: values.mean(axis=0) for name, values in maps.items()}

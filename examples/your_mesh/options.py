@@ -87,7 +87,7 @@ OPTIONS = {
         "--output": {
             "type": Path,
             "metavar": "PNG",
-            "help": "the picture; tables lie beside it (examples/output/NAME_OF_FILE.png)",
+            "help": "the picture; tables lie beside it (examples/output/your_mesh/FILE.png)",
         },
         "--show": {"choices": ARRAYS, "default": "total", "help": "which illuminance (total)"},
         "--range": {

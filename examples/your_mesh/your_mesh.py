@@ -12,7 +12,7 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "common")]
 
 import tables  # noqa: E402
-from illumination import as_source, illuminate, load_plugin  # noqa: E402
+from illumination import as_source, illuminate, load_plugin, texts  # noqa: E402
 from options import ARRAYS, LAMPS, REGISTRATIONS, read_options  # noqa: E402
 from pictures import BAR, GAP, MARGIN, Panel, Row, Scale, draw  # noqa: E402
 from viewpoint import camera_for, down, light_direction  # noqa: E402
@@ -23,13 +23,12 @@ GREY = (0.42, 0.44, 0.47)
 def read_surface(options):
     """The file's surfaces as one vtkPolyData."""
     reader = simple.OpenDataFile(str(options.file))
-    if reader is None:
-        sys.exit(f"ParaView knows no reader for {options.file}")
     reader.UpdatePipeline()
     kind = reader.GetDataInformation().GetDataSetTypeAsString()
     if kind != "vtkPolyData":
         reader = simple.ExtractSurface(Input=reader)
-        reader = simple.MergeBlocks(Input=reader, OutputDataSetType="Polydata")
+        kept = {"OutputDataSetType": "Polygonal Mesh", "MergePoints": 0}  # edges stay sharp
+        reader = simple.MergeBlocks(Input=reader, **kept)
     if options.reverse:
         reader = simple.ReverseSense(Input=reader)
     reader.UpdatePipeline()
@@ -95,7 +94,7 @@ def row_of(name, found, array):
         "Mean, lx": mean,
         "Median, lx": middle,
         "95 %, lx": high,
-        "RMS noise, lx": float(np.sqrt(np.average(area_and_noise[1], weights=area))),
+        "Noise of the total, lx": float(np.sqrt(np.average(area_and_noise[1], weights=area))),
         **{key: int(facts[f"Photons{key}"]) for key in ("Emitted", "Absorbed", "Escaped")},
         "Seconds": facts["Seconds"],
         "Million segments/s": facts["SegmentsPerSecond"] / 1e6,
@@ -127,9 +126,11 @@ def main():
     wanted = [options.registration] if options.registration != "all" else REGISTRATIONS
     names = [REGISTRATIONS[key] for key in wanted]
     maps = {name: illuminate(surface, Registration=name, **properties) for name in names}
-    path = options.output or HERE.parent / "output" / f"{options.file.stem}.png"
+    path = options.output or HERE.parent / "output" / "your_mesh" / f"{options.file.stem}.png"
     array = ARRAYS[options.show]
     rows = [row_of(name, found, array) for name, found in maps.items()]
+    for note in texts(maps[names[-1]].surface, "Notes"):
+        print(f"Note: {note}")
     tables.write(rows, path.with_suffix(""), f"{options.file.name}: {array}")
     draw_maps(options, maps, path)
     if options.save:
@@ -138,4 +139,7 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except RuntimeError as error:  # ParaView's, which tell the user what is wrong
+        sys.exit(f"examples/run: {error}")
