@@ -8,7 +8,7 @@ namespace PhotonTransport
 
 FacetRings::FacetRings(std::size_t vertexCount, const std::vector<glm::uvec3>& facets)
   : Offsets(vertexCount + 1, 0)
-  , Flat(3 * facets.size())
+  , Facets(3 * facets.size())
 {
   for (const glm::uvec3& facet : facets)
   {
@@ -24,7 +24,7 @@ FacetRings::FacetRings(std::size_t vertexCount, const std::vector<glm::uvec3>& f
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      this->Flat[next[facets[f][corner]]++] = static_cast<std::uint32_t>(f);
+      this->Facets[next[facets[f][corner]]++] = static_cast<std::uint32_t>(f);
     }
   }
 }

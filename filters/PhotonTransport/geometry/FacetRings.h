@@ -26,20 +26,15 @@ public:
   FacetRings() = default;
   FacetRings(std::size_t vertexCount, const std::vector<glm::uvec3>& facets);
 
-  /// The facets of all rings, one ring after the other.
-  const std::vector<std::uint32_t>& Facets() const { return this->Flat; }
-
-  /// The part of an array parallel to Facets() that belongs to a vertex.
-  template <typename Element>
-  Range<Element> Of(std::uint32_t vertex, const std::vector<Element>& parallel) const
+  Range<std::uint32_t> Of(std::uint32_t vertex) const
   {
-    return { parallel.data() + this->Offsets[vertex], parallel.data() + this->Offsets[vertex + 1] };
+    const std::uint32_t* base = this->Facets.data();
+    return { base + this->Offsets[vertex], base + this->Offsets[vertex + 1] };
   }
-  Range<std::uint32_t> Of(std::uint32_t vertex) const { return this->Of(vertex, this->Flat); }
 
 private:
   std::vector<std::uint64_t> Offsets;
-  std::vector<std::uint32_t> Flat;
+  std::vector<std::uint32_t> Facets;
 };
 
 } // namespace PhotonTransport

@@ -185,7 +185,7 @@ Prepared Prepare(const DiskLamp& lamp, const Scene& scene)
 
 Prepared Prepare(const EmittingFacets&, const Scene& scene)
 {
-  FacetEmitter emitter{ &scene, {}, {} };
+  FacetEmitter emitter{ &scene, {}, {}, {} };
   double sum = 0.0;
   for (std::uint32_t f = 0; f < scene.Exitance().size(); ++f)
   {
@@ -203,6 +203,17 @@ Prepared Prepare(const EmittingFacets&, const Scene& scene)
   for (double& value : emitter.cumulativeFlux)
   {
     value /= sum;
+  }
+  std::uint32_t facet = 0;
+  const std::size_t parts = emitter.facets.size();
+  for (std::size_t part = 0; part < parts; ++part)
+  {
+    const double start = static_cast<double>(part) / static_cast<double>(parts);
+    while (facet + 1 < parts && emitter.cumulativeFlux[facet] <= start)
+    {
+      ++facet;
+    }
+    emitter.firstOfPart.push_back(facet);
   }
   return { std::move(emitter), sum * scene.SquareMetresPerSceneArea() };
 }
@@ -261,11 +272,13 @@ Ray PanelEmitter::Emit(const PhotonSample& sample) const
 Ray FacetEmitter::Emit(const PhotonSample& sample) const
 {
   const double choice = sample.EmissionBits(PhotonSample::FacetDimension) * 0x1p-32;
-  const auto chosen =
-    std::upper_bound(this->cumulativeFlux.begin(), this->cumulativeFlux.end(), choice);
-  const auto index = static_cast<std::size_t>(chosen - this->cumulativeFlux.begin());
-  const Facet& facet =
-    this->scene->Facets()[this->facets[std::min(index, this->facets.size() - 1)]];
+  const auto parts = static_cast<double>(this->facets.size());
+  std::size_t chosen = this->firstOfPart[static_cast<std::size_t>(choice * parts)];
+  while (chosen + 1 < this->facets.size() && this->cumulativeFlux[chosen] <= choice)
+  {
+    ++chosen;
+  }
+  const Facet& facet = this->scene->Facets()[this->facets[chosen]];
   const glm::vec2 b = UniformTriangle(sample.Emission(0), sample.Emission(1));
   const glm::vec3 barycentric(std::max(0.0f, 1.0f - b.x - b.y), b.x, b.y);
   return { this->scene->SafeOrigin(facet, barycentric, true),

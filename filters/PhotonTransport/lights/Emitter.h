@@ -47,6 +47,9 @@ struct FacetEmitter
   const Scene* scene;
   std::vector<std::uint32_t> facets;  ///< Those that shine.
   std::vector<double> cumulativeFlux; ///< Of them, normalised to end at 1.
+  /// For each of as many equal parts of [0, 1): the first facet that it may choose. A search that
+  /// starts there takes one step on average (Chen and Asau 1974), and keeps the numbers' order.
+  std::vector<std::uint32_t> firstOfPart;
   Ray Emit(const PhotonSample& sample) const;
 };
 

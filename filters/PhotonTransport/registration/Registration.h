@@ -28,12 +28,16 @@ enum class Registration : int
 /// sum (towards . a_f)^+ / sum |a_f|. Only grazing light needs the walk round the ring.
 inline float ShownArea(const Scene& scene, std::uint32_t v, const glm::vec3& towards)
 {
-  float sum = 0.0f;
-  for (const glm::vec3& area : scene.RingAreas(v))
+  float sums[4] = {};
+  for (const RingAreas& four : scene.AreasOfRing(v))
   {
-    sum += std::max(0.0f, glm::dot(towards, area));
+    for (int i = 0; i < 4; ++i)
+    {
+      const float shown = towards.x * four.x[i] + towards.y * four.y[i] + towards.z * four.z[i];
+      sums[i] += shown > 0.0f ? shown : 0.0f;
+    }
   }
-  return sum * scene.Vertices()[v].inverseThreeAreas;
+  return (sums[0] + sums[1] + sums[2] + sums[3]) * scene.Vertices()[v].inverseThreeAreas;
 }
 
 /// Weights of one hit for the three vertices of its facet, before the bound; each within

@@ -127,29 +127,45 @@ void Scene::AddVertices(const Surface& surface, const std::vector<glm::vec3>& po
     kept.push_back(facet.vertices);
   }
   this->VertexRings = FacetRings(positions.size(), kept);
-  this->AreasByRing.reserve(this->VertexRings.Facets().size());
-  for (const std::uint32_t f : this->VertexRings.Facets())
-  {
-    this->AreasByRing.push_back(this->FacetAreas[f]);
-  }
 
   this->VertexRecords.reserve(positions.size());
   this->Areas.reserve(positions.size());
+  this->FirstAreas.reserve(positions.size() + 1);
+  this->FirstAreas.push_back(0);
   for (std::uint32_t v = 0; v < positions.size(); ++v)
   {
+    this->AddRingAreas(v);
     this->VertexRecords.push_back(
       this->MakeVertex(v, UsableNormal(surface.normals[v]), positions[v]));
   }
+}
+
+void Scene::AddRingAreas(std::uint32_t vertex)
+{
+  int place = 0;
+  for (const std::uint32_t f : this->VertexRings.Of(vertex))
+  {
+    if (place == 0)
+    {
+      this->AreasByRing.push_back({});
+    }
+    RingAreas& four = this->AreasByRing.back();
+    four.x[place] = this->FacetAreas[f].x;
+    four.y[place] = this->FacetAreas[f].y;
+    four.z[place] = this->FacetAreas[f].z;
+    place = (place + 1) % 4;
+  }
+  this->FirstAreas.push_back(this->AreasByRing.size());
 }
 
 Vertex Scene::MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const glm::vec3& position)
 {
   glm::dvec3 areaVectors(0.0);
   double areas = 0.0;
-  for (const glm::vec3& area : this->RingAreas(v))
+  for (const std::uint32_t f : this->VertexRings.Of(v))
   {
-    areaVectors += glm::dvec3(area);
-    areas += glm::length(glm::dvec3(area));
+    areaVectors += glm::dvec3(this->FacetAreas[f]);
+    areas += glm::length(glm::dvec3(this->FacetAreas[f]));
   }
   this->Areas.push_back(areas / 3.0 * this->SquareMetresPerSceneArea());
   if (!(areas > 0.0))
@@ -164,9 +180,10 @@ Vertex Scene::MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const g
     normal = UsableNormal(areaVectors);
   }
   double leastCosine = 1.0;
-  for (const glm::vec3& area : this->RingAreas(v))
+  for (const std::uint32_t f : this->VertexRings.Of(v))
   {
-    leastCosine = std::min(leastCosine, glm::dot(normal, glm::normalize(glm::dvec3(area))));
+    leastCosine =
+      std::min(leastCosine, glm::dot(normal, glm::normalize(glm::dvec3(this->FacetAreas[f]))));
   }
   const double sinTilt =
     leastCosine > 0.0 ? std::sqrt(std::max(0.0, 1.0 - leastCosine * leastCosine)) : 2.0;

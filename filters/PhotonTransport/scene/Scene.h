@@ -38,6 +38,13 @@ struct alignas(64) Vertex
   float inverseThreeAreas; ///< 1 / sum |a_f|; 0 for a vertex without a facet.
 };
 
+/// Area vectors of four facets of a ring, by component, so that four cosines are one operation;
+/// unused places are zero.
+struct alignas(16) RingAreas
+{
+  float x[4], y[4], z[4];
+};
+
 /// What was found in the surface and mended while it was prepared.
 struct SceneNotes
 {
@@ -80,10 +87,11 @@ public:
   const std::vector<Facet>& Facets() const { return this->FacetRecords; }
   const std::vector<Vertex>& Vertices() const { return this->VertexRecords; }
   const FacetRings& Rings() const { return this->VertexRings; }
-  /// Area vectors of the ring of a vertex, side by side in memory.
-  Range<glm::vec3> RingAreas(std::uint32_t vertex) const
+  /// Area vectors of the ring of a vertex.
+  Range<RingAreas> AreasOfRing(std::uint32_t vertex) const
   {
-    return this->VertexRings.Of(vertex, this->AreasByRing);
+    const RingAreas* base = this->AreasByRing.data();
+    return { base + this->FirstAreas[vertex], base + this->FirstAreas[vertex + 1] };
   }
   /// Area vectors |a_f| n_f of the facets, scene units squared.
   const std::vector<glm::vec3>& AreaVectors() const { return this->FacetAreas; }
@@ -99,6 +107,7 @@ public:
 private:
   void AddFacets(const Surface& surface, const std::vector<glm::vec3>& positions);
   void AddVertices(const Surface& surface, const std::vector<glm::vec3>& positions);
+  void AddRingAreas(std::uint32_t vertex);
   Vertex MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const glm::vec3& position);
   void BuildBvh(const std::vector<glm::vec3>& positions);
 
@@ -108,7 +117,8 @@ private:
   std::vector<glm::vec3> FacetAreas;
   std::vector<float> FacetExitance;
   FacetRings VertexRings;
-  std::vector<glm::vec3> AreasByRing;
+  std::vector<RingAreas> AreasByRing;
+  std::vector<std::uint64_t> FirstAreas; ///< Of each vertex in AreasByRing, and their number.
   SceneNotes Found;
   std::vector<double> Areas;
   std::vector<Vertex> VertexRecords;
