@@ -145,6 +145,8 @@ def read_options(arguments=None):
         parser.error(f"--lamp {options.lamp} needs --lamp-size with {wanted} length(s)")
     if options.lamp == "facets" and not options.exitance_array:
         parser.error("--lamp facets needs --exitance-array NAME")
+    if options.range and not options.range[0] < options.range[1]:
+        parser.error("--range needs FROM below TO")
     if not options.file.exists():
         parser.error(f"there is no file {options.file}")
     return options

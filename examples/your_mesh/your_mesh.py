@@ -117,6 +117,18 @@ def draw_maps(options, maps, path):
     draw(path, rows, width, f"{options.file.name}, {LAMPS[options.lamp]} lamp", GREY)
 
 
+def save(surface, file):
+    """Writes a vtkPolyData to a file, in the format that the file's ending names."""
+    try:
+        writer = simple.CreateWriter(str(file), as_source(surface))
+    except AttributeError:  # how ParaView 5.11 says that it has none
+        raise RuntimeError(f"ParaView writes no surface to a file such as {file}") from None
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.touch()  # the writer itself does not say where it cannot write
+    writer.UpdatePipeline()
+    print(f"Surface: {file}")
+
+
 def main():
     """Reads, lights, draws and tabulates."""
     options = read_options()
@@ -134,12 +146,11 @@ def main():
     tables.write(rows, path.with_suffix(""), f"{options.file.name}: {array}")
     draw_maps(options, maps, path)
     if options.save:
-        simple.SaveData(str(options.save), as_source(maps[names[-1]].surface))
-        print(f"Surface: {options.save}")
+        save(maps[names[-1]].surface, options.save)
 
 
 if __name__ == "__main__":
     try:
         main()
-    except RuntimeError as error:  # ParaView's, which tell the user what is wrong
+    except (RuntimeError, OSError) as error:  # those tell the user what is wrong
         sys.exit(f"examples/run: {error}")
