@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What accuracy costs in time: true and estimated error against photons and seconds.
 
-Run by pvbatch: accuracy_and_time.py OUTPUT_DIR [--quick] [--check | --redraw]. Writes
-accuracy_and_time.csv, a figure for each scene, all of them in one and a table there. --check measures only what is
-promised and fails where it does not hold; --redraw draws the figures anew from the CSV.
+Run by pvpython: accuracy_and_time.py OUTPUT_DIR [--quick] [--check | --redraw]. Writes there the
+points of all curves as CSV, a figure for each scene, all figures in one, and a table. --check
+measures only what is promised and fails where it does not hold; --redraw draws the figures anew.
 """
 
 import argparse
