@@ -18,17 +18,18 @@ namespace
 {
 
 /// A round ends with this many times the photons of the one before: often enough to stop near a
-/// target, seldom enough that measuring the error costs little.
-constexpr double RoundGrowth = 1.5;
+/// target, or else seldom enough that measuring the error costs little.
+constexpr double GrowthTowardsTarget = 1.5;
+constexpr double Growth = 2.0;
 
 /// Photons of a slice for each vertex: adding up the threads' sums costs a few photons' time a
 /// vertex.
 constexpr std::uint64_t SlicePhotonsPerVertex = 2;
 constexpr std::uint64_t LeastSlice = 256; // blocks
 
-/// The first round of each replicate, in blocks: small, so that something is known soon.
+/// The first round of each replicate, in blocks: small, so that something is known soon, but not
+/// below a photon a vertex, or adding up and measuring the error would cost more than tracing.
 constexpr std::uint64_t FirstRound = 8;
-constexpr std::uint64_t FirstRoundVerticesPerPhoton = 4; // and not small beside the adding up
 
 /// Adds the time of its life to a total.
 class Stopwatch
@@ -135,10 +136,15 @@ std::uint64_t IlluminationRun::NextRound(const StopRules& rules) const
   const std::uint64_t replicates = this->Replicates.size();
   const std::uint64_t limit =
     (rules.photons + replicates * PhotonBlock - 1) / (replicates * PhotonBlock);
-  const std::uint64_t first = std::max<std::uint64_t>(
-    FirstRound, this->Surroundings.Vertices().size() / (FirstRoundVerticesPerPhoton * PhotonBlock));
+  const std::uint64_t first =
+    std::max<std::uint64_t>(FirstRound, this->Surroundings.Vertices().size() / PhotonBlock);
   const auto traced = static_cast<double>(this->BlocksTraced() / replicates);
-  double next = std::max(static_cast<double>(first), RoundGrowth * traced);
+  const double growth = rules.relativeError > 0.0 ? GrowthTowardsTarget : Growth;
+  double next = std::max(static_cast<double>(first), growth * traced);
+  if (next * GrowthTowardsTarget > static_cast<double>(limit))
+  {
+    next = static_cast<double>(limit); // rather than leave a small last round
+  }
   if (rules.relativeError > 0.0 && !this->Rows.empty())
   {
     // A little more than predicted, lest the round ends just short of the target.
