@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 namespace PhotonTransport
@@ -287,6 +288,59 @@ IlluminationMap IlluminationRun::Side(std::vector<VertexSums> IlluminationSums::
       }
     });
   return map;
+}
+
+GroupMeans IlluminationRun::FrontByGroups() const
+{
+  std::array<double, Groups> photons{};
+  for (std::size_t r = 0; r < this->Replicates.size(); ++r)
+  {
+    photons[r % Groups] += static_cast<double>(this->Replicates[r].sums.balance.emitted);
+  }
+  if (*std::min_element(photons.begin(), photons.end()) == 0.0)
+  {
+    return {};
+  }
+  const std::vector<double>& areas = this->Surroundings.VertexAreas();
+  const double all = std::accumulate(photons.begin(), photons.end(), 0.0);
+  const auto meansOf = [&](std::size_t v, FixedPoint VertexSums::*part)
+  {
+    std::array<FixedPoint, Groups> sums{};
+    for (std::size_t r = 0; r < this->Replicates.size(); ++r)
+    {
+      sums[r % Groups] += this->Replicates[r].sums.front[v].*part;
+    }
+    const FixedPoint total = std::accumulate(sums.begin(), sums.end(), FixedPoint{ 0 });
+    GroupValues means{};
+    double unweighted = 0.0;
+    for (std::size_t g = 0; g < Groups; ++g)
+    {
+      means[g] = FromFixedPoint(sums[g]) / photons[g];
+      unweighted += means[g] / Groups;
+    }
+    // Groups may differ in photons after a time limit; their plain mean must be that of the map.
+    const double shift = FromFixedPoint(total) / all - unweighted;
+    for (double& mean : means)
+    {
+      mean = this->Flux() / areas[v] * (mean + shift);
+    }
+    return means;
+  };
+  GroupMeans groups{ std::vector<GroupValues>(areas.size()),
+    std::vector<GroupValues>(areas.size()) };
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, areas.size()),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t v = range.begin(); v < range.end(); ++v)
+      {
+        if (areas[v] > 0.0)
+        {
+          groups.direct[v] = meansOf(v, &VertexSums::direct);
+          groups.indirect[v] = meansOf(v, &VertexSums::indirect);
+        }
+      }
+    });
+  return groups;
 }
 
 } // namespace PhotonTransport

@@ -3,6 +3,7 @@
 
 #include "PhotonTransport/registration/IlluminationMap.h"
 #include "PhotonTransport/statistics/Accuracy.h"
+#include "PhotonTransport/statistics/GroupMeans.h"
 #include "PhotonTransport/transport/PhotonTracer.h"
 
 #include <cstdint>
@@ -62,6 +63,10 @@ public:
   IlluminationMap Front() const { return this->Side(&IlluminationSums::front); }
   /// Only if the settings ask for the back to be registered.
   IlluminationMap Back() const { return this->Side(&IlluminationSums::back); }
+
+  /// The front as four estimates whose mean is Front(); empty where an end came so soon that not
+  /// all four have photons, or with fewer than four replicates.
+  GroupMeans FrontByGroups() const;
 
   PhotonBalance Balance() const;
   double Flux() const { return this->Tracer.Flux(); }

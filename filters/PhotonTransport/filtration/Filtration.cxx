@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PhotonTransport/filtration/Filtration.h"
+
+#include "PhotonTransport/filtration/DarkRegions.h"
+#include "PhotonTransport/filtration/NoiseModel.h"
+#include "PhotonTransport/filtration/Parallel.h"
+#include "PhotonTransport/filtration/ScaleSelection.h"
+#include "PhotonTransport/scene/InvalidInput.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <string>
+
+namespace PhotonTransport
+{
+namespace
+{
+
+using Values = std::vector<double>;
+
+void RequireWithin(const char* name, double value, double most)
+{
+  if (!(value >= 0.0 && value <= most))
+  {
+    throw InvalidInput(InvalidInput::Where::TraceSettings, 0,
+      std::string("the ") + name + " is " + std::to_string(value) + "; it must be within [0, " +
+        std::to_string(static_cast<int>(most)) + "]");
+  }
+}
+
+void RequireFinite(const char* name, const Values& values)
+{
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    if (!(values[v] >= 0.0) || !std::isfinite(values[v]))
+    {
+      throw InvalidInput(InvalidInput::Where::Point, v,
+        std::string("its ") + name + " is " + std::to_string(values[v]) +
+          " lx; it must be a finite number >= 0");
+    }
+  }
+}
+
+void RequireFinite(const NoisyMap& part)
+{
+  RequireFinite("illuminance", part.values);
+  RequireFinite("standard error", part.standardError);
+  for (std::size_t v = 0; v < part.groups.size(); ++v)
+  {
+    for (const double value : part.groups[v])
+    {
+      if (!std::isfinite(value))
+      {
+        throw InvalidInput(InvalidInput::Where::Point, v, "a group mean there is not finite");
+      }
+    }
+  }
+}
+
+Values SumOf(const std::vector<NoisyMap>& parts)
+{
+  Values sum(parts.front().values.size(), 0.0);
+  for (const NoisyMap& part : parts)
+  {
+    std::transform(sum.begin(), sum.end(), part.values.begin(), sum.begin(), std::plus<>());
+  }
+  return sum;
+}
+
+/// What a squared error counts, by how bright the neighbourhood is: errors are seen relative to
+/// the light around them, but those in the dark don't count without bound.
+std::vector<float> Importance(
+  const SmoothingGraph& graph, const Values& total, const FiltrationMonitor& monitor)
+{
+  constexpr double Neighbourhood = 2.0;
+  constexpr double Floor = 0.3;
+  Columns<1> light(total.size());
+  std::transform(total.begin(), total.end(), light.begin(),
+    [](double value) { return std::array<float, 1>{ static_cast<float>(value) }; });
+  light = Apply<1>(graph, { SpectralFilter::Heat(Neighbourhood) }, light, monitor).front();
+  const Values& areas = graph.VertexAreas();
+  const double flux = std::inner_product(areas.begin(), areas.end(), total.begin(), 0.0);
+  const double mean = flux / std::accumulate(areas.begin(), areas.end(), 0.0);
+  std::vector<float> importance(total.size(), 1.0f);
+  if (mean > 0.0)
+  {
+    std::transform(light.begin(), light.end(), importance.begin(),
+      [&](const std::array<float, 1>& value)
+      { return static_cast<float>(1.0 / (std::max(0.0, double{ value[0] }) / mean + Floor)); });
+  }
+  return importance;
+}
+
+GroupColumns GroupsOf(
+  const SmoothingGraph& graph, const NoisyMap& part, const FiltrationMonitor& monitor)
+{
+  if (part.groups.empty())
+  {
+    return GroupsFromStandardError(graph, part.values,
+      part.standardError.empty() ? StandardErrorFromRoughness(graph, part.values, monitor)
+                                 : part.standardError);
+  }
+  GroupColumns columns(part.groups.size());
+  std::transform(part.groups.begin(), part.groups.end(), columns.begin(),
+    [](const GroupValues& values)
+    {
+      std::array<float, Groups> column;
+      std::transform(values.begin(), values.end(), column.begin(),
+        [](double value) { return static_cast<float>(value); });
+      return column;
+    });
+  return columns;
+}
+
+/// The graph without the edges into regions that the part certainly does not light; none if there
+/// are no such regions.
+std::optional<SmoothingGraph> WithoutDarkRegions(
+  const SmoothingGraph& graph, const Values& part, const Values& total, const Values& hits)
+{
+  if (hits.empty())
+  {
+    return std::nullopt;
+  }
+  Values ofPart(part.size(), 0.0);
+  for (std::size_t v = 0; v < part.size(); ++v)
+  {
+    ofPart[v] = part[v] > 0.0 ? hits[v] * part[v] / total[v] : 0.0;
+  }
+  const std::vector<std::uint8_t> dark = FindDarkRegions(graph, ofPart);
+  if (dark.empty())
+  {
+    return std::nullopt;
+  }
+  std::optional<SmoothingGraph> cut(graph);
+  cut->CutAround(dark);
+  return cut;
+}
+
+/// No value below 0, and the flux of each smooth patch as it was: by a factor, so that dark stays
+/// dark.
+void Conserve(const SmoothingGraph& graph, const Values& before, Values& after)
+{
+  Values had(graph.Patches(), 0.0);
+  Values has(graph.Patches(), 0.0);
+  for (std::size_t v = 0; v < before.size(); ++v)
+  {
+    after[v] = std::max(0.0, after[v]);
+    had[graph.PatchOfVertex()[v]] += graph.VertexAreas()[v] * before[v];
+    has[graph.PatchOfVertex()[v]] += graph.VertexAreas()[v] * after[v];
+  }
+  ForEach(before.size(),
+    [&](std::size_t v)
+    {
+      const std::uint32_t patch = graph.PatchOfVertex()[v];
+      after[v] = has[patch] > 0.0 ? after[v] * (had[patch] / has[patch]) : before[v];
+    });
+}
+
+Selection SmoothEvenly(const SmoothingGraph& graph, const GroupColumns& map, double width,
+  const FiltrationMonitor& monitor)
+{
+  Selection selection{
+    Apply<Groups>(graph, { SpectralFilter::Heat(0.5 * width * width) }, map, monitor).front(),
+    Values(map.size()), std::vector<float>(map.size(), static_cast<float>(width))
+  };
+  ForEach(map.size(),
+    [&](std::size_t v) { selection.change[v] = MeanOf(selection.groups[v]) - MeanOf(map[v]); });
+  return selection;
+}
+
+Selection Unchanged(const GroupColumns& map)
+{
+  return { map, Values(map.size(), 0.0), std::vector<float>(map.size(), 0.0f) };
+}
+
+} // namespace
+
+void Validate(const FiltrationSettings& settings)
+{
+  RequireWithin("strength", settings.strength, 10.0);
+  RequireWithin("width", settings.width, 50.0);
+}
+
+std::vector<FilteredMap> Filtrate(const SmoothingGraph& graph, const std::vector<NoisyMap>& parts,
+  const std::vector<double>& hits, const FiltrationSettings& settings,
+  const FiltrationMonitor& monitor)
+{
+  Validate(settings);
+  std::for_each(parts.begin(), parts.end(), [](const NoisyMap& part) { RequireFinite(part); });
+  const Values total = SumOf(parts);
+  const std::vector<float> importance = Importance(graph, total, monitor);
+  std::vector<FilteredMap> filtered;
+  for (const NoisyMap& part : parts)
+  {
+    const std::optional<SmoothingGraph> cut = WithoutDarkRegions(graph, part.values, total, hits);
+    const SmoothingGraph& connected = cut ? *cut : graph;
+    const GroupColumns map = GroupsOf(connected, part, monitor);
+    const Selection selection = settings.method == FiltrationMethod::Adaptive
+      ? SelectWidths(connected, map, { importance, settings.strength }, monitor)
+      : settings.method == FiltrationMethod::Diffusion
+      ? SmoothEvenly(graph, map, settings.width, monitor)
+      : Unchanged(map);
+    FilteredMap result{ part.values, {}, selection.width };
+    std::transform(result.values.begin(), result.values.end(), selection.change.begin(),
+      result.values.begin(), std::plus<>());
+    Conserve(graph, part.values, result.values);
+    result.squaredError = SquaredError(connected, map, selection.groups, importance, monitor);
+    filtered.push_back(std::move(result));
+  }
+  return filtered;
+}
+
+} // namespace PhotonTransport

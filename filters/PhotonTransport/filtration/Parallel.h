@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <cstddef>
+
+namespace PhotonTransport
+{
+
+/// Calls body(first, last) for ranges that cover [0, count), on the threads of the caller's arena.
+template <typename Body>
+void ForRanges(std::size_t count, const Body& body)
+{
+  constexpr std::size_t Grain = 2048;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, Grain),
+    [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
+}
+
+/// Calls body(i) for i in [0, count).
+template <typename Body>
+void ForEach(std::size_t count, const Body& body)
+{
+  ForRanges(count,
+    [&](std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        body(i);
+      }
+    });
+}
+
+} // namespace PhotonTransport
