@@ -76,11 +76,13 @@ std::uint64_t HitsOf(const IlluminationMap& map)
   return std::accumulate(map.photonHits.begin(), map.photonHits.end(), std::uint64_t{ 0 });
 }
 
-/// What an ordinary mind would call a scene without light or surface.
+/// A scene without light or surface, or one whose numbers no longer fit.
 bool MayBeRefused(const std::string& message)
 {
   return message == "every triangle has zero area" ||
-    message == "no facet has an exitance above 0 lm/m^2";
+    message == "no facet has an exitance above 0 lm/m^2" ||
+    message.find("times the size of the surface") != std::string::npos ||
+    message.find("beyond what a number can hold") != std::string::npos;
 }
 
 /// The whole of what is promised of one run.
@@ -101,6 +103,7 @@ void CheckRun(const RandomScene& drawn)
   const IlluminationMap back = bothSides ? run.Back() : IlluminationMap();
   RC_ASSERT(AllFinite(front) && AllFinite(back));
   RC_ASSERT(AllFinite(scene.VertexAreas()));
+  RC_ASSERT(std::isfinite(run.Rounds().back().relativeError));
   RC_ASSERT(std::isfinite(run.Flux()) && std::isfinite(run.FluxCutByWeightBound()));
 
   const std::uint64_t hits = balance.segments - balance.escaped;
@@ -177,7 +180,7 @@ TEST(Fuzz, AnySceneGivesABalancedAndFiniteMap)
       }
     });
   // What is drawn must be worth drawing.
-  EXPECT_GT(traced, 9 * refused) << refused << " scenes refused";
+  EXPECT_GT(traced, 4 * refused) << refused << " scenes refused";
 }
 
 TEST(Fuzz, AMistakeIsRefusedByName)

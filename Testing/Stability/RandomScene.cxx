@@ -145,14 +145,16 @@ glm::dvec3 LampPlace(const Surface& surface, const Site& site)
   {
     return surface.points[static_cast<std::size_t>(Below(static_cast<int>(surface.points.size())))];
   }
-  return site.origin + OneOf({ 1.0, 1.0, 1.0, 1e3, 1e9 }) * site.size * Place();
+  return site.origin +
+    (OneIn(16) ? 1e100 : OneOf({ 1.0, 1.0, 1.0, 1e3, 1e9, 1e17 })) * site.size * Place();
 }
 
 Lamp DrawLamp(const Surface& surface, const Site& site)
 {
   const glm::dvec3 place = LampPlace(surface, site);
   const glm::dvec3 direction = Direction();
-  const double flux = OneOf({ 0.0, 1e-12, 1000.0, 1e12 });
+  const double flux =
+    OneIn(8) ? OneOf({ 1e-300, 1e-200, 1e200, 1e300 }) : OneOf({ 0.0, 1e-12, 1000.0, 1e12 });
   const double width = site.size * OneOf({ 0.0, 1e-6, 0.5, 1e3 });
   switch (Below(surface.exitance.empty() ? 7 : 8))
   {
@@ -254,7 +256,8 @@ void SpoilLamp(RandomScene& scene)
 
 RandomScene DrawScene()
 {
-  const double size = OneOf({ 1.0, 1.0, 1e-6, 1e6, 1e-30, 1e30 });
+  const double size = OneIn(8) ? OneOf({ 1e-310, 1e-200, 1e-100, 1e100, 1e200, 1e300 })
+                               : OneOf({ 1.0, 1.0, 1e-6, 1e6, 1e-30, 1e30 });
   const double far = size * OneOf({ 0.0, 0.0, 1.0, 1e3, 1e7 });
   const Site site{ size, far * glm::dvec3(1.0, -0.7, 0.3) };
   RandomScene scene;

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 namespace PhotonTransport
 {
@@ -24,6 +26,9 @@ constexpr float OriginOffset = 0x1p-19f;
 /// land behind the other wall if it were closer than offset * cot(angle): 4 serves down to 14
 /// degrees, where the plain offset lets rays out.
 constexpr float EdgeClearance = 4.0f * OriginOffset;
+
+/// Scene units squared. A smaller facet has no area that its single-precision record could hold.
+constexpr double LeastArea = std::numeric_limits<float>::min();
 
 /// Below this sine of the angle to its facets a vertex normal counts as theirs.
 constexpr float NoTilt = 1e-4f;
@@ -69,10 +74,25 @@ Scene::Scene(const Surface& surface)
 {
   Validate(surface);
   this->Place = FitPlacement(surface.points, surface.facets);
+  this->RequireSize();
   const std::vector<glm::vec3> positions = ScenePositions(surface, this->Place);
   this->AddFacets(surface, positions);
   this->AddVertices(surface, positions);
   this->BuildBvh(positions);
+}
+
+/// Areas must neither vanish nor overflow in m^2.
+void Scene::RequireSize() const
+{
+  const double squareMetres = this->SquareMetresPerSceneArea();
+  constexpr double MostFacets = 0x1p32;
+  if (!std::isnormal(squareMetres * LeastArea / 3.0) || !std::isfinite(squareMetres * MostFacets))
+  {
+    std::ostringstream message;
+    message << "the surface is about " << this->MetresPerUnit / this->Place.scale
+            << " m across; its areas in m^2 are beyond what a number can hold";
+    throw InvalidInput(InvalidInput::Where::Surface, 0, message.str());
+  }
 }
 
 void Scene::AddFacets(const Surface& surface, const std::vector<glm::vec3>& positions)
@@ -88,7 +108,7 @@ void Scene::AddFacets(const Surface& surface, const std::vector<glm::vec3>& posi
     const glm::dvec3 a(positions[ids[0]]), b(positions[ids[1]]), c(positions[ids[2]]);
     glm::dvec3 areaVector = 0.5 * glm::cross(b - a, c - a);
     const double area = glm::length(areaVector);
-    if (!(area > 0.0))
+    if (!(area >= LeastArea))
     {
       ++this->Found.droppedFacets;
       continue;

@@ -49,7 +49,7 @@ struct alignas(16) RingAreas
 struct SceneNotes
 {
   std::size_t turnedFacets = 0;    ///< Winding against the normals; turned for the sides.
-  std::size_t droppedFacets = 0;   ///< Zero area: they can't be hit.
+  std::size_t droppedFacets = 0;   ///< No area that a float can hold: they can't be hit.
   std::size_t replacedNormals = 0; ///< Zero or not finite: the ring's mean normal instead.
   std::size_t tiltedVertices = 0;  ///< Normal differs from some facet's around it.
   std::size_t reflectingFacets = 0;
@@ -105,6 +105,7 @@ public:
   const SceneNotes& Notes() const { return this->Found; }
 
 private:
+  void RequireSize() const;
   void AddFacets(const Surface& surface, const std::vector<glm::vec3>& positions);
   void AddVertices(const Surface& surface, const std::vector<glm::vec3>& positions);
   void AddRingAreas(std::uint32_t vertex);
