@@ -2,6 +2,7 @@
 #include "SceneBlocks.h"
 
 #include "CellValues.h"
+#include "InputChecks.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -38,41 +39,6 @@ std::vector<vtkIdType> Values(vtkDataArray* ids)
 {
   auto* array = vtkIdTypeArray::SafeDownCast(ids);
   return { array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues() };
-}
-
-/// Point normals as the pipeline marks them, or else an array of that name.
-vtkDataArray* NormalsOf(vtkPolyData* data)
-{
-  vtkDataArray* normals = data->GetPointData()->GetNormals();
-  normals = normals ? normals : data->GetPointData()->GetArray("Normals");
-  const bool usable = normals && normals->GetNumberOfComponents() == 3 &&
-    normals->GetNumberOfTuples() == data->GetNumberOfPoints();
-  return usable ? normals : nullptr;
-}
-
-/// VTK's filters index points without a check, so a bad index must not reach them.
-void RequireValidIndices(vtkPolyData* data, const std::string& block)
-{
-  const vtkIdType points = data->GetNumberOfPoints();
-  vtkIdType cell = data->GetNumberOfVerts() + data->GetNumberOfLines();
-  for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
-  {
-    auto it = vtk::TakeSmartPointer(cells->NewIterator());
-    for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell(), ++cell)
-    {
-      vtkIdType size = 0;
-      const vtkIdType* ids = nullptr;
-      it->GetCurrentCell(size, ids);
-      for (vtkIdType i = 0; i < size; ++i)
-      {
-        if (ids[i] < 0 || ids[i] >= points)
-        {
-          throw InputError("cell " + std::to_string(cell) + block + " uses point " +
-            std::to_string(ids[i]) + " of " + std::to_string(points));
-        }
-      }
-    }
-  }
 }
 
 /// The triangles of a block alone, with the ids of the cells and points they come from and with
@@ -151,8 +117,8 @@ SceneBlocks::SceneBlocks(vtkDataObject* data, const SurfaceDescription& descript
 
 void SceneBlocks::Append(SceneBlock block, const SurfaceDescription& description)
 {
-  RequireValidIndices(block.data, block.name);
-  vtkDataArray* given = NormalsOf(block.data);
+  RequireValidCells(block.data, block.name);
+  vtkDataArray* given = CheckedNormals(block.data, block.name);
   block.normalsWereComputed = !given;
   const auto mesh = Triangles(block.data, given, description.featureAngle);
   if (mesh->GetNumberOfPolys() == 0)
