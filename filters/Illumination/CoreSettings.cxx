@@ -4,6 +4,8 @@
 #include "vtkIlluminationMap.h"
 #include "vtkMath.h"
 
+#include <cmath>
+
 namespace
 {
 
@@ -12,11 +14,16 @@ glm::dvec3 Vector(const double v[3])
   return { v[0], v[1], v[2] };
 }
 
-/// Negative numbers become 0, which the core refuses by name.
+/// The core counts without a sign and refuses 0 itself.
 template <typename Unsigned, typename Signed>
-Unsigned AtLeastZero(Signed value)
+Unsigned Count(Signed value, const char* what)
 {
-  return value > 0 ? static_cast<Unsigned>(value) : Unsigned{ 0 };
+  if (value < 0)
+  {
+    throw InputError(
+      "the " + std::string(what) + " is " + std::to_string(value) + "; it must be 1 or more");
+  }
+  return static_cast<Unsigned>(value);
 }
 
 /// ParaView's lists of arrays send the word "None" for no array.
@@ -63,7 +70,8 @@ PhotonTransport::TraceSettings SettingsOf(vtkIlluminationMap* filter)
   settings.interreflection = filter->GetInterreflection();
   settings.registerBackSide = filter->GetRegisterBackSide();
   settings.weightBound = static_cast<float>(filter->GetWeightBound());
-  settings.maximumPathLength = AtLeastZero<std::uint32_t>(filter->GetMaximumPathLength());
+  settings.maximumPathLength =
+    Count<std::uint32_t>(filter->GetMaximumPathLength(), "maximum path length");
   settings.threads = filter->GetNumberOfThreads();
   return settings;
 }
@@ -71,7 +79,7 @@ PhotonTransport::TraceSettings SettingsOf(vtkIlluminationMap* filter)
 PhotonTransport::StopRules RulesOf(vtkIlluminationMap* filter)
 {
   PhotonTransport::StopRules rules;
-  rules.photons = AtLeastZero<std::uint64_t>(filter->GetPhotons());
+  rules.photons = Count<std::uint64_t>(filter->GetPhotons(), "number of photons");
   rules.relativeError = filter->GetTargetRelativeError();
   rules.seconds = filter->GetTimeLimit();
   return rules;
@@ -92,5 +100,9 @@ SurfaceDescription DescriptionOf(vtkIlluminationMap* filter)
   }
   description.metresPerUnit = filter->GetMetresPerUnit();
   description.featureAngle = filter->GetFeatureAngle();
+  if (std::isnan(description.featureAngle)) // all else is clamped when it is set
+  {
+    throw InputError("FeatureAngle is nan; it must be within [0, 180] degrees");
+  }
   return description;
 }

@@ -149,6 +149,12 @@ vtkIlluminationMap::vtkIlluminationMap()
 
 vtkIlluminationMap::~vtkIlluminationMap() = default;
 
+void vtkIlluminationMap::Update(int port)
+{
+  const vtkSmartPointer<vtkIlluminationMap> alive(this);
+  this->Superclass::Update(port);
+}
+
 /// Everything that the map depends on but for the number of photons.
 std::string vtkIlluminationMap::WhatShapesTheMap(vtkDataObject* input)
 {

@@ -53,6 +53,12 @@ public:
   vtkTypeMacro(vtkIlluminationMap, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  using Superclass::Update;
+  /**
+   * As ever, but an observer of the progress may delete the filter: it lives until this returns.
+   */
+  void Update(int port) override;
+
   enum LampTypes
   {
     PARALLEL = 0,         ///< Light from infinitely far away over the whole scene.
@@ -261,7 +267,8 @@ public:
 
   ///@{
   /**
-   * Threads to trace with; 0 means all cores. The result does not depend on it. Default: 0.
+   * Threads to trace with, 0 to 1024; 0 means all cores. The result does not depend on it.
+   * Default: 0.
    */
   vtkSetMacro(NumberOfThreads, int);
   vtkGetMacro(NumberOfThreads, int);
