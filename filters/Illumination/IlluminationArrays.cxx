@@ -253,6 +253,12 @@ std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTranspor
     {
       notes.push_back("the points" + block.name + " had no normals; they were computed");
     }
+    if (block.uncut.number > 0)
+    {
+      notes.push_back(std::to_string(block.uncut.number) + " polygons, the first being cell " +
+        std::to_string(block.uncut.first) + block.name +
+        ", cross or touch themselves or have no area: they were left out, at least in part");
+    }
   }
   const auto count = [&](std::size_t number, const std::string& what)
   {

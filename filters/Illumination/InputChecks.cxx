@@ -9,6 +9,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <array>
 #include <utility>
 
 namespace
@@ -23,6 +24,22 @@ void RequireConsistency(vtkCellArray* cells, const std::string& what)
       " contradict themselves: their offsets do not rise from 0 to " +
       std::to_string(cells->GetNumberOfConnectivityIds()) + ", the number of their point ids");
   }
+}
+
+/// Corners that are not where the one before them is.
+vtkIdType CornersInDifferentPlaces(vtkPolyData* data, vtkIdType size, const vtkIdType* ids)
+{
+  vtkIdType corners = 0;
+  std::array<double, 3> before{};
+  data->GetPoint(ids[size - 1], before.data());
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    std::array<double, 3> here{};
+    data->GetPoint(ids[i], here.data());
+    corners += here != before;
+    before = here;
+  }
+  return corners;
 }
 
 } // namespace
@@ -85,4 +102,29 @@ vtkDataArray* CheckedNormals(vtkPolyData* data, const std::string& block)
       " values for " + std::to_string(data->GetNumberOfPoints()) + " points");
   }
   return normals;
+}
+
+UncutPolygons FindUncut(vtkPolyData* data, const std::vector<vtkIdType>& cellOfTriangle)
+{
+  std::vector<vtkIdType> triangles(static_cast<std::size_t>(data->GetNumberOfCells()), 0);
+  for (const vtkIdType cell : cellOfTriangle)
+  {
+    ++triangles[static_cast<std::size_t>(cell)];
+  }
+  UncutPolygons uncut;
+  vtkIdType cell = data->GetNumberOfVerts() + data->GetNumberOfLines();
+  auto it = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell(), ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    it->GetCurrentCell(size, ids);
+    const vtkIdType found = triangles[static_cast<std::size_t>(cell)];
+    // Only then the slower look, which corners that repeat the one before pass.
+    if (found < size - 2 && found < CornersInDifferentPlaces(data, size, ids) - 2)
+    {
+      uncut.first = uncut.number++ == 0 ? cell : uncut.first;
+    }
+  }
+  return uncut;
 }

@@ -2,7 +2,10 @@
 #ifndef InputChecks_h
 #define InputChecks_h
 
+#include "vtkType.h"
+
 #include <string>
+#include <vector>
 
 class vtkDataArray;
 class vtkPolyData;
@@ -15,5 +18,16 @@ void RequireValidCells(vtkPolyData* data, const std::string& block);
 /// Point normals as the pipeline marks them, or else the point array of that name; null if there is
 /// neither. Throws InputError if it does not hold three numbers a point.
 vtkDataArray* CheckedNormals(vtkPolyData* data, const std::string& block);
+
+/// Polygons that were not cut into all the triangles they should give.
+struct UncutPolygons
+{
+  std::size_t number = 0;
+  vtkIdType first = -1; ///< Cell id.
+};
+
+/// A polygon of n corners gives n - 2 triangles unless it crosses or touches itself or has no area,
+/// which VTK does not tell. @param cellOfTriangle For each triangle the cell it was cut from.
+UncutPolygons FindUncut(vtkPolyData* data, const std::vector<vtkIdType>& cellOfTriangle);
 
 #endif

@@ -2,7 +2,6 @@
 #include "SceneBlocks.h"
 
 #include "CellValues.h"
-#include "InputChecks.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -111,7 +110,7 @@ SceneBlocks::SceneBlocks(vtkDataObject* data, const SurfaceDescription& descript
   }
   if (this->All.facets.empty())
   {
-    throw InputError("the input has no polygons or triangle strips to light");
+    throw InputError("the input has no polygons or triangle strips with an area to light");
   }
 }
 
@@ -129,6 +128,7 @@ void SceneBlocks::Append(SceneBlock block, const SurfaceDescription& description
   block.firstFacet = this->All.facets.size();
   block.pointOfVertex = Values(mesh->GetPointData()->GetArray(PointIds));
   block.cellOfFacet = Values(mesh->GetCellData()->GetArray(CellIds));
+  block.uncut = FindUncut(block.data, block.cellOfFacet);
 
   vtkDataArray* normals = mesh->GetPointData()->GetNormals();
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
