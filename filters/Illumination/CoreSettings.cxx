@@ -4,7 +4,9 @@
 #include "vtkIlluminationMap.h"
 #include "vtkMath.h"
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace
 {
@@ -83,6 +85,20 @@ PhotonTransport::StopRules RulesOf(vtkIlluminationMap* filter)
   rules.relativeError = filter->GetTargetRelativeError();
   rules.seconds = filter->GetTimeLimit();
   return rules;
+}
+
+std::uint64_t MemoryLimitOf(vtkIlluminationMap* filter)
+{
+  const double limit = filter->GetMemoryLimit();
+  if (!(limit >= 0.0) || !std::isfinite(limit))
+  {
+    std::ostringstream message;
+    message << "MemoryLimit is " << limit << " GiB; it must be 0 (what the machine has) or more";
+    throw InputError(message.str());
+  }
+  // No machine has 2^33 GiB; and a limit, however small, is not 0.
+  const double bytes = std::min(limit, 0x1p33) * 0x1p30;
+  return static_cast<std::uint64_t>(std::ceil(bytes));
 }
 
 SurfaceDescription DescriptionOf(vtkIlluminationMap* filter)

@@ -223,6 +223,11 @@ void AddFieldData(vtkFieldData* output, const IlluminationRun& run, StopReason r
   AddArray(output, "IlluminationMapsVersion", Text{ ILLUMINATION_VERSION });
 }
 
+void AddMemoryNeeded(vtkFieldData* output, std::uint64_t bytes)
+{
+  AddArray(output, "MemoryNeeded", std::vector<std::uint64_t>{ bytes });
+}
+
 void FillAccuracyTable(vtkTable* table, const std::vector<Accuracy>& rounds)
 {
   const auto column = [&](const char* name, const auto& valueOf)

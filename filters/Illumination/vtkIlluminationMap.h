@@ -23,8 +23,8 @@
  *  - PhotonHits (vtkIdType): photons that hit the front of a facet around the point.
  * and these field data arrays: PhotonsEmitted = PhotonsAbsorbed + PhotonsEscaped + PhotonsCutOff,
  * EmittedFlux (lm), FluxCutByWeightBound (lm), Seconds, PhotonsPerSecond, SegmentsPerSecond,
- * StoppedBy, Effects (which are on or off, and why), Notes (what was found and mended in the
- * input), IlluminationMapsVersion.
+ * MemoryNeeded (bytes, at most), StoppedBy, Effects (which are on or off, and why), Notes (what was
+ * found and mended in the input), IlluminationMapsVersion.
  *
  * Give watts for lumens and the result is irradiance in W/m^2.
  *
@@ -293,6 +293,16 @@ public:
   vtkGetMacro(MaximumPathLength, int);
   ///@}
 
+  ///@{
+  /**
+   * GiB of memory that the input's triangles, the run and its results may take together, >= 0; 0 is
+   * what the machine has available (on Linux; no limit on other systems). What they need is worked
+   * out before they take it, told in MemoryNeeded, and refused if it is more. Default: 0.
+   */
+  vtkSetMacro(MemoryLimit, double);
+  vtkGetMacro(MemoryLimit, double);
+  ///@}
+
 protected:
   vtkIlluminationMap();
   ~vtkIlluminationMap() override;
@@ -328,6 +338,7 @@ protected:
   int NumberOfThreads = 0;
   double WeightBound = 16.0;
   int MaximumPathLength = 10000;
+  double MemoryLimit = 0.0;
 
 private:
   vtkIlluminationMap(const vtkIlluminationMap&) = delete;

@@ -152,12 +152,25 @@ void Scene::AddVertices(const Surface& surface, const std::vector<glm::vec3>& po
   this->Areas.reserve(positions.size());
   this->FirstAreas.reserve(positions.size() + 1);
   this->FirstAreas.push_back(0);
+  this->ReserveRingAreas(positions.size());
   for (std::uint32_t v = 0; v < positions.size(); ++v)
   {
     this->AddRingAreas(v);
     this->VertexRecords.push_back(
       this->MakeVertex(v, UsableNormal(surface.normals[v]), positions[v]));
   }
+}
+
+/// Growing by doubling would take three times the memory for a moment.
+void Scene::ReserveRingAreas(std::size_t vertices)
+{
+  std::size_t groups = 0;
+  for (std::uint32_t v = 0; v < vertices; ++v)
+  {
+    const Range<std::uint32_t> ring = this->VertexRings.Of(v);
+    groups += static_cast<std::size_t>(ring.end() - ring.begin() + 3) / 4;
+  }
+  this->AreasByRing.reserve(groups);
 }
 
 void Scene::AddRingAreas(std::uint32_t vertex)

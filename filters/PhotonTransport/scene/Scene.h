@@ -108,6 +108,7 @@ private:
   void RequireSize() const;
   void AddFacets(const Surface& surface, const std::vector<glm::vec3>& positions);
   void AddVertices(const Surface& surface, const std::vector<glm::vec3>& positions);
+  void ReserveRingAreas(std::size_t vertices);
   void AddRingAreas(std::uint32_t vertex);
   Vertex MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const glm::vec3& position);
   void BuildBvh(const std::vector<glm::vec3>& positions);
