@@ -156,17 +156,6 @@ protected:
     EXPECT_EQ(this->Notes(), "the points had no normals; they were computed\n");
   }
 
-  std::string Notes() const
-  {
-    std::string text;
-    vtkAbstractArray* notes = this->Filter->GetOutput()->GetFieldData()->GetAbstractArray("Notes");
-    for (vtkIdType i = 0; notes && i < notes->GetNumberOfValues(); ++i)
-    {
-      text += notes->GetVariantValue(i).ToString() + "\n";
-    }
-    return text;
-  }
-
   vtkNew<vtkPolyData> Cells;
 };
 

@@ -2,10 +2,12 @@
 #include "FilterTools.h"
 
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkLogger.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSphereSource.h"
+#include "vtkVariant.h"
 
 #include <cmath>
 
@@ -118,4 +120,16 @@ void FilterTest::ExpectMap()
 vtkDataArray* FilterTest::OutputArray(const char* name) const
 {
   return this->Filter->GetOutput()->GetPointData()->GetArray(name);
+}
+
+std::string FilterTest::Notes() const
+{
+  std::string text;
+  vtkAbstractArray* notes =
+    this->Filter->GetOutputDataObject(0)->GetFieldData()->GetAbstractArray("Notes");
+  for (vtkIdType i = 0; notes && i < notes->GetNumberOfValues(); ++i)
+  {
+    text += notes->GetVariantValue(i).ToString() + "\n";
+  }
+  return text;
 }

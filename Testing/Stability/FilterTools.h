@@ -48,6 +48,8 @@ protected:
   void ExpectMap();
 
   vtkDataArray* OutputArray(const char* name) const;
+  /// The output's Notes, a line each.
+  std::string Notes() const;
 
   vtkSmartPointer<vtkPolyData> Surface;
   vtkNew<vtkIlluminationMap> Filter;
