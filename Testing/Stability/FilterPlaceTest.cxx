@@ -70,9 +70,14 @@ protected:
     auto room = vtkSmartPointer<vtkPolyData>::New();
     room->SetPoints(points);
     room->SetPolys(squares);
-    room->GetPointData()->SetNormals(normals);
+    if (this->WithNormals)
+    {
+      room->GetPointData()->SetNormals(normals);
+    }
     return room;
   }
+
+  bool WithNormals = true;
 
   static double At(double metres, const Setting& setting)
   {
@@ -113,7 +118,9 @@ TEST_F(FilterPlace, MovedAndScaledWithoutRoundingGivesTheSameBits)
   for (const int registration : { 0, 1, 2 })
   {
     this->Filter->SetRegistration(registration);
+    this->Filter->SetNumberOfThreads(1);
     const Map expected = this->Trace({});
+    this->Filter->SetNumberOfThreads(2);
     for (const double shift : { 0.0, 1e3, 1e7 })
     {
       for (const double unitsPerMetre : { 0x1p-20, 1.0, 0x1p20 })
@@ -123,6 +130,23 @@ TEST_F(FilterPlace, MovedAndScaledWithoutRoundingGivesTheSameBits)
         EXPECT_EQ(moved.illuminance, expected.illuminance);
         EXPECT_EQ(moved.standardError, expected.standardError);
       }
+    }
+  }
+}
+
+TEST_F(FilterPlace, NormalsAreComputedFarFromTheOriginToo)
+{
+  this->WithNormals = false;
+  this->Filter->SetRegisterBackSide(true);
+  const Map expected = this->Trace({});
+  for (const double shift : { 1e3, 1e7 })
+  {
+    for (const double unitsPerMetre : { 0x1p-20, 1.0, 0x1p20 })
+    {
+      SCOPED_TRACE(std::to_string(shift) + " x " + std::to_string(unitsPerMetre));
+      EXPECT_EQ(
+        this->Trace({ unitsPerMetre, shift * unitsPerMetre }).illuminance, expected.illuminance);
+      EXPECT_EQ(this->Notes(), "the points had no normals; they were computed\n");
     }
   }
 }
