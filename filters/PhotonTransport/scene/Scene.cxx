@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/Scene.h"
 
+#include "PhotonTransport/scene/DoubleSheets.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 
 #include <glm/common.hpp>
@@ -32,6 +33,35 @@ constexpr double LeastArea = std::numeric_limits<float>::min();
 
 /// Below this sine of the angle to its facets a vertex normal counts as theirs.
 constexpr float NoTilt = 1e-4f;
+
+/// Two sheets this close are in one place: a ray's distance to them is rounded by as much.
+constexpr float SheetGap = 0x1p-20f;
+
+/// Cosine above which two planes that close are one.
+constexpr float SameSheet = 0.999f;
+
+/// Barycentric coordinates of a point that lies in a triangle, up to SheetGap in any direction.
+std::optional<glm::vec3> Within(
+  const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+  const glm::dvec3 normal = glm::cross(b - a, c - a); // of twice the area
+  const double twiceArea = glm::length(normal);
+  if (std::fabs(glm::dot(point - a, normal)) > double{ SheetGap } * twiceArea)
+  {
+    return std::nullopt;
+  }
+  const auto share = [&](const glm::dvec3& from, const glm::dvec3& to)
+  {
+    const double part = glm::dot(glm::cross(to - from, point - from), normal) / twiceArea;
+    return part < -double{ SheetGap } * glm::length(to - from) ? -1.0 : std::max(0.0, part);
+  };
+  const glm::dvec3 parts(share(b, c), share(c, a), share(a, b));
+  if (parts.x < 0.0 || parts.y < 0.0 || parts.z < 0.0)
+  {
+    return std::nullopt;
+  }
+  return glm::vec3(parts / (parts.x + parts.y + parts.z));
+}
 
 /// Unit length, or zero for a normal that says nothing.
 glm::dvec3 UsableNormal(const glm::dvec3& normal)
@@ -78,6 +108,7 @@ Scene::Scene(const Surface& surface)
   const std::vector<glm::vec3> positions = ScenePositions(surface, this->Place);
   this->AddFacets(surface, positions);
   this->AddVertices(surface, positions);
+  this->FindDoubleSheets();
   this->BuildBvh(positions);
 }
 
@@ -234,6 +265,44 @@ void Scene::BuildBvh(const std::vector<glm::vec3>& positions)
     indices.push_back(facet.vertices);
   }
   this->Bvh.emplace(positions, indices);
+}
+
+void Scene::FindDoubleSheets()
+{
+  std::vector<FacetPlane> planes;
+  planes.reserve(this->FacetRecords.size());
+  for (const Facet& facet : this->FacetRecords)
+  {
+    planes.push_back({ this->VertexRecords[facet.vertices.x].position, facet.normal });
+  }
+  this->DoubleSheets = FacetsOfDoubleSheets(planes);
+}
+
+bool Scene::FindFront(const Ray& ray, Hit& hit) const
+{
+  const auto corner = [&](const Facet& facet, int c)
+  { return glm::dvec3(this->VertexRecords[facet.vertices[c]].position); };
+  const Facet& behind = this->FacetRecords[hit.facet];
+  const glm::dvec3 point = double(hit.barycentric.x) * corner(behind, 0) +
+    double(hit.barycentric.y) * corner(behind, 1) + double(hit.barycentric.z) * corner(behind, 2);
+  std::uint32_t chosen = NoFacet; // the first in the list, whatever the order of the search
+  const auto look = [&](std::uint32_t f)
+  {
+    const Facet& facet = this->FacetRecords[f];
+    if (f < chosen && glm::dot(ray.direction, facet.normal) < 0.0f &&
+      glm::dot(behind.normal, facet.normal) < -SameSheet)
+    {
+      const auto there = Within(point, corner(facet, 0), corner(facet, 1), corner(facet, 2));
+      if (there)
+      {
+        chosen = f;
+        hit.barycentric = *there;
+      }
+    }
+  };
+  this->Bvh->ForEachNear(glm::vec3(point), SheetGap, look);
+  hit.facet = chosen != NoFacet ? chosen : hit.facet;
+  return chosen != NoFacet;
 }
 
 glm::vec3 Scene::SafeOrigin(const Facet& facet, const glm::vec3& barycentric, bool front) const

@@ -68,6 +68,15 @@ public:
     this->Bvh->Intersect(rays, hits, count);
   }
 
+  /// Where two sheets of a wall lie in one place, a ray may meet the wrong one. Moves a hit on the
+  /// back of a facet to the facet there whose front the ray meets, and returns whether there is
+  /// one.
+  bool PreferFront(const Ray& ray, Hit& hit) const
+  {
+    return !this->DoubleSheets.empty() && this->DoubleSheets[hit.facet] != 0 &&
+      this->FindFront(ray, hit);
+  }
+
   /// Where a ray starts that leaves the point `barycentric` of a facet on its front or back.
   glm::vec3 SafeOrigin(const Facet& facet, const glm::vec3& barycentric, bool front) const;
 
@@ -111,6 +120,8 @@ private:
   void ReserveRingAreas(std::size_t vertices);
   void AddRingAreas(std::uint32_t vertex);
   Vertex MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const glm::vec3& position);
+  void FindDoubleSheets();
+  bool FindFront(const Ray& ray, Hit& hit) const;
   void BuildBvh(const std::vector<glm::vec3>& positions);
 
   Placement Place;
@@ -124,6 +135,7 @@ private:
   SceneNotes Found;
   std::vector<double> Areas;
   std::vector<Vertex> VertexRecords;
+  std::vector<std::uint8_t> DoubleSheets; ///< By facet; empty if there are none.
   std::optional<EmbreeScene> Bvh;
 };
 
