@@ -15,8 +15,8 @@ illumination_packages=(
   qttools5-dev qtxmlpatterns5-dev-tools # help pages in ParaView
   xvfb xauth libgl1-mesa-dri            # pictures without a screen
 )
-# Without these the build or a test just leaves something out (the format check, benchmarks).
-illumination_optional_packages=(clang-format-14 libbenchmark-dev)
+# Without these the build or a test just leaves something out (the format check, benchmarks, the fuzz tests).
+illumination_optional_packages=(clang-format-14 libbenchmark-dev librapidcheck-dev)
 
 is_installed() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 

@@ -175,3 +175,25 @@ TEST(Scene, SafeOriginsStayInside)
     }
   }
 }
+
+TEST(Scene, TakesTheFrontOfTwoSheetsInOnePlace)
+{
+  Surface sheets;
+  sheets.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 0, 0, 0 } };
+  sheets.normals = { { 0, 0, -1 }, { 0, 0, -1 }, { 0, 0, -1 }, { 0, 0, 1 }, { 0, 0, 1 },
+    { 0, 0, 1 } };
+  sheets.facets = { { 0, 1, 2 }, { 3, 4, 5 } };
+  sheets.reflectance = { 0.0f, 0.0f };
+  const Scene scene(sheets);
+  const Ray down{ { 0.0f, 0.0f, 1.0f }, { 0.0f, 0.0f, -1.0f } };
+  Hit onBack{ 0, { 0.5f, 0.25f, 0.25f } };
+  EXPECT_TRUE(scene.PreferFront(down, onBack));
+  EXPECT_EQ(onBack.facet, 1u);
+  EXPECT_EQ(onBack.barycentric, glm::vec3(0.25f, 0.25f, 0.5f)); // the same place
+  // What has no front there stays.
+  sheets.points[3].z = sheets.points[4].z = sheets.points[5].z = -1e-3;
+  const Scene apart(sheets);
+  Hit alone{ 0, { 0.5f, 0.25f, 0.25f } };
+  EXPECT_FALSE(apart.PreferFront(down, alone));
+  EXPECT_EQ(alone.facet, 0u);
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/statistics/ReplicateStatistics.h"
+#include "PhotonTransport/transport/ParallelFor.h"
 #include "PhotonTransport/transport/PhotonTracer.h"
 
 #include "Shapes.h"
@@ -8,7 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -211,6 +214,42 @@ TEST(Transport, RefusesSettingsThatMakeNoSense)
   refused([](TraceSettings& s) { s.weightBound = std::nanf(""); });
   refused([](TraceSettings& s) { s.maximumPathLength = 0; });
   refused([](TraceSettings& s) { s.threads = -1; });
+}
+
+TEST(Transport, RefusesALampSoFarThatEmbreeWouldEndTheProcess)
+{
+  const Scene scene(Room(0.5f));
+  const TraceSettings settings;
+  EXPECT_THROW(PhotonTracer(scene, PointLamp{ { 1e30, 0, 0 }, 1.0 }, settings), InvalidInput);
+  EXPECT_THROW(PhotonTracer(scene, DiskLamp{ {}, { 0, 0, 1 }, 1e30, 1.0 }, settings), InvalidInput);
+  EXPECT_NO_THROW(TracedMap(scene, PointLamp{ { 1e17, 0, 0 }, 1.0 }, settings, 1));
+}
+
+TEST(Transport, RefusesIlluminanceThatIsNoNumber)
+{
+  const Scene scene(Room(0.5f));
+  const TraceSettings settings;
+  EXPECT_THROW(PhotonTracer(scene, PointLamp{ {}, 1e306 }, settings), InvalidInput);
+  EXPECT_THROW(PhotonTracer(scene, PointLamp{ {}, 1e-300 }, settings), InvalidInput);
+  Surface vast = Room(0.5f);
+  vast.metresPerUnit = 1e160;
+  EXPECT_THROW(Scene{ vast }, InvalidInput);
+}
+
+TEST(ParallelFor, ComputesAsItsCallerDoes)
+{
+  // Embree first: it makes oneTBB's threads flush numbers below 2.2e-308 to zero.
+  const Scene scene(Room(0.5f));
+  std::vector<double> halves(10'000, std::numeric_limits<double>::min());
+  ParallelFor(0, halves.size(),
+    [&](const tbb::blocked_range<std::uint64_t>& range)
+    {
+      for (std::uint64_t i = range.begin(); i < range.end(); ++i)
+      {
+        halves[i] *= 0.5;
+      }
+    });
+  EXPECT_EQ(std::count(halves.begin(), halves.end(), 0.0), 0);
 }
 
 TEST(Effects, SayWhatIsOnAndWhy)

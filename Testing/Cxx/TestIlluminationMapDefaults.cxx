@@ -19,7 +19,7 @@ int TestIlluminationMapDefaults(int, char*[])
          "Reflectance: 0.5", "ReflectanceArray:", "ExitanceArray:", "Registration: 2",
          "Photons: 1000000", "TargetRelativeError: 0", "TimeLimit: 0", "Seed: 1", "Sampling: 1",
          "Interreflection: 1", "RegisterBackSide: 0", "MetresPerUnit: 1", "FeatureAngle: 30",
-         "NumberOfThreads: 0", "WeightBound: 16", "MaximumPathLength: 10000" })
+         "NumberOfThreads: 0", "WeightBound: 16", "MaximumPathLength: 10000", "MemoryLimit: 0" })
   {
     if (printed.str().find(line) == std::string::npos)
     {

@@ -35,6 +35,7 @@ NOT_DEFAULT = {
     "WeightBound": 8.0,
     "MaximumPathLength": 100,
     "NumberOfThreads": 1,
+    "MemoryLimit": 2.5,
 }
 
 

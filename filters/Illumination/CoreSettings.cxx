@@ -4,6 +4,10 @@
 #include "vtkIlluminationMap.h"
 #include "vtkMath.h"
 
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
 namespace
 {
 
@@ -12,11 +16,16 @@ glm::dvec3 Vector(const double v[3])
   return { v[0], v[1], v[2] };
 }
 
-/// Negative numbers become 0, which the core refuses by name.
+/// The core counts without a sign and refuses 0 itself.
 template <typename Unsigned, typename Signed>
-Unsigned AtLeastZero(Signed value)
+Unsigned Count(Signed value, const char* what)
 {
-  return value > 0 ? static_cast<Unsigned>(value) : Unsigned{ 0 };
+  if (value < 0)
+  {
+    throw InputError(
+      "the " + std::string(what) + " is " + std::to_string(value) + "; it must be 1 or more");
+  }
+  return static_cast<Unsigned>(value);
 }
 
 /// ParaView's lists of arrays send the word "None" for no array.
@@ -63,7 +72,8 @@ PhotonTransport::TraceSettings SettingsOf(vtkIlluminationMap* filter)
   settings.interreflection = filter->GetInterreflection();
   settings.registerBackSide = filter->GetRegisterBackSide();
   settings.weightBound = static_cast<float>(filter->GetWeightBound());
-  settings.maximumPathLength = AtLeastZero<std::uint32_t>(filter->GetMaximumPathLength());
+  settings.maximumPathLength =
+    Count<std::uint32_t>(filter->GetMaximumPathLength(), "maximum path length");
   settings.threads = filter->GetNumberOfThreads();
   return settings;
 }
@@ -71,10 +81,24 @@ PhotonTransport::TraceSettings SettingsOf(vtkIlluminationMap* filter)
 PhotonTransport::StopRules RulesOf(vtkIlluminationMap* filter)
 {
   PhotonTransport::StopRules rules;
-  rules.photons = AtLeastZero<std::uint64_t>(filter->GetPhotons());
+  rules.photons = Count<std::uint64_t>(filter->GetPhotons(), "number of photons");
   rules.relativeError = filter->GetTargetRelativeError();
   rules.seconds = filter->GetTimeLimit();
   return rules;
+}
+
+std::uint64_t MemoryLimitOf(vtkIlluminationMap* filter)
+{
+  const double limit = filter->GetMemoryLimit();
+  if (!(limit >= 0.0) || !std::isfinite(limit))
+  {
+    std::ostringstream message;
+    message << "MemoryLimit is " << limit << " GiB; it must be 0 (what the machine has) or more";
+    throw InputError(message.str());
+  }
+  // No machine has 2^33 GiB; and a limit, however small, is not 0.
+  const double bytes = std::min(limit, 0x1p33) * 0x1p30;
+  return static_cast<std::uint64_t>(std::ceil(bytes));
 }
 
 SurfaceDescription DescriptionOf(vtkIlluminationMap* filter)
@@ -92,5 +116,9 @@ SurfaceDescription DescriptionOf(vtkIlluminationMap* filter)
   }
   description.metresPerUnit = filter->GetMetresPerUnit();
   description.featureAngle = filter->GetFeatureAngle();
+  if (std::isnan(description.featureAngle)) // all else is clamped when it is set
+  {
+    throw InputError("FeatureAngle is nan; it must be within [0, 180] degrees");
+  }
   return description;
 }

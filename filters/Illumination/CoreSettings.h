@@ -14,6 +14,9 @@ PhotonTransport::Lamp LampOf(vtkIlluminationMap* filter);
 PhotonTransport::TraceSettings SettingsOf(vtkIlluminationMap* filter);
 PhotonTransport::StopRules RulesOf(vtkIlluminationMap* filter);
 
+/// Bytes, 0 for what the machine has. Throws InputError for a limit that is none.
+std::uint64_t MemoryLimitOf(vtkIlluminationMap* filter);
+
 /// Throws InputError if the lamp needs an array and none is named.
 SurfaceDescription DescriptionOf(vtkIlluminationMap* filter);
 

@@ -223,6 +223,11 @@ void AddFieldData(vtkFieldData* output, const IlluminationRun& run, StopReason r
   AddArray(output, "IlluminationMapsVersion", Text{ ILLUMINATION_VERSION });
 }
 
+void AddMemoryNeeded(vtkFieldData* output, std::uint64_t bytes)
+{
+  AddArray(output, "MemoryNeeded", std::vector<std::uint64_t>{ bytes });
+}
+
 void FillAccuracyTable(vtkTable* table, const std::vector<Accuracy>& rounds)
 {
   const auto column = [&](const char* name, const auto& valueOf)
@@ -252,6 +257,12 @@ std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTranspor
     if (block.normalsWereComputed)
     {
       notes.push_back("the points" + block.name + " had no normals; they were computed");
+    }
+    if (block.uncut.number > 0)
+    {
+      notes.push_back(std::to_string(block.uncut.number) + " polygons, the first being cell " +
+        std::to_string(block.uncut.first) + block.name +
+        ", cross or touch themselves or have no area: they were left out, at least in part");
     }
   }
   const auto count = [&](std::size_t number, const std::string& what)

@@ -19,6 +19,9 @@ void AddPointArrays(const SceneBlocks& blocks, const PhotonTransport::Scene& sce
 void AddFieldData(vtkFieldData* output, const PhotonTransport::IlluminationRun& run,
   PhotonTransport::StopReason reason, const std::vector<std::string>& notes);
 
+/// Adds what the run was expected to take at most, in bytes.
+void AddMemoryNeeded(vtkFieldData* output, std::uint64_t bytes);
+
 /// A row for each round.
 void FillAccuracyTable(vtkTable* table, const std::vector<PhotonTransport::Accuracy>& rounds);
 

@@ -40,41 +40,6 @@ std::vector<vtkIdType> Values(vtkDataArray* ids)
   return { array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues() };
 }
 
-/// Point normals as the pipeline marks them, or else an array of that name.
-vtkDataArray* NormalsOf(vtkPolyData* data)
-{
-  vtkDataArray* normals = data->GetPointData()->GetNormals();
-  normals = normals ? normals : data->GetPointData()->GetArray("Normals");
-  const bool usable = normals && normals->GetNumberOfComponents() == 3 &&
-    normals->GetNumberOfTuples() == data->GetNumberOfPoints();
-  return usable ? normals : nullptr;
-}
-
-/// VTK's filters index points without a check, so a bad index must not reach them.
-void RequireValidIndices(vtkPolyData* data, const std::string& block)
-{
-  const vtkIdType points = data->GetNumberOfPoints();
-  vtkIdType cell = data->GetNumberOfVerts() + data->GetNumberOfLines();
-  for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
-  {
-    auto it = vtk::TakeSmartPointer(cells->NewIterator());
-    for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell(), ++cell)
-    {
-      vtkIdType size = 0;
-      const vtkIdType* ids = nullptr;
-      it->GetCurrentCell(size, ids);
-      for (vtkIdType i = 0; i < size; ++i)
-      {
-        if (ids[i] < 0 || ids[i] >= points)
-        {
-          throw InputError("cell " + std::to_string(cell) + block + " uses point " +
-            std::to_string(ids[i]) + " of " + std::to_string(points));
-        }
-      }
-    }
-  }
-}
-
 /// The triangles of a block alone, with the ids of the cells and points they come from and with
 /// normals.
 vtkSmartPointer<vtkPolyData> Triangles(
@@ -145,14 +110,14 @@ SceneBlocks::SceneBlocks(vtkDataObject* data, const SurfaceDescription& descript
   }
   if (this->All.facets.empty())
   {
-    throw InputError("the input has no polygons or triangle strips to light");
+    throw InputError("the input has no polygons or triangle strips with an area to light");
   }
 }
 
 void SceneBlocks::Append(SceneBlock block, const SurfaceDescription& description)
 {
-  RequireValidIndices(block.data, block.name);
-  vtkDataArray* given = NormalsOf(block.data);
+  RequireValidCells(block.data, block.name);
+  vtkDataArray* given = CheckedNormals(block.data, block.name);
   block.normalsWereComputed = !given;
   const auto mesh = Triangles(block.data, given, description.featureAngle);
   if (mesh->GetNumberOfPolys() == 0)
@@ -163,6 +128,7 @@ void SceneBlocks::Append(SceneBlock block, const SurfaceDescription& description
   block.firstFacet = this->All.facets.size();
   block.pointOfVertex = Values(mesh->GetPointData()->GetArray(PointIds));
   block.cellOfFacet = Values(mesh->GetCellData()->GetArray(CellIds));
+  block.uncut = FindUncut(block.data, block.cellOfFacet);
 
   vtkDataArray* normals = mesh->GetPointData()->GetNormals();
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)

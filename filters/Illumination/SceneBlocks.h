@@ -2,6 +2,8 @@
 #ifndef SceneBlocks_h
 #define SceneBlocks_h
 
+#include "InputChecks.h"
+
 #include "PhotonTransport/scene/Surface.h"
 
 #include "vtkSmartPointer.h"
@@ -31,6 +33,7 @@ struct SceneBlock
   std::vector<vtkIdType> pointOfVertex; ///< A point has more than one where normals were split.
   std::vector<vtkIdType> cellOfFacet;
   bool normalsWereComputed = false;
+  UncutPolygons uncut;
 };
 
 /// What the arrays and properties say about the surface.

@@ -9,6 +9,7 @@
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/scene/Scene.h"
 #include "PhotonTransport/transport/IlluminationRun.h"
+#include "PhotonTransport/transport/MemoryNeed.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -149,6 +150,12 @@ vtkIlluminationMap::vtkIlluminationMap()
 
 vtkIlluminationMap::~vtkIlluminationMap() = default;
 
+void vtkIlluminationMap::Update(int port)
+{
+  const vtkSmartPointer<vtkIlluminationMap> alive(this);
+  this->Superclass::Update(port);
+}
+
 /// Everything that the map depends on but for the number of photons.
 std::string vtkIlluminationMap::WhatShapesTheMap(vtkDataObject* input)
 {
@@ -205,7 +212,8 @@ int vtkIlluminationMap::ProcessRequest(
 int vtkIlluminationMap::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  vtkDataObject* in = vtkDataObject::GetData(input[0]);
+  // An observer may disconnect the input.
+  const vtkSmartPointer<vtkDataObject> in = vtkDataObject::GetData(input[0]);
   vtkDataObject* out = vtkDataObject::GetData(output);
   PassThrough(in, out);
   // An error leaves the input passed through and the pipeline usable: it is said once, here, and
@@ -217,6 +225,7 @@ int vtkIlluminationMap::RequestData(
   catch (const std::bad_alloc&)
   {
     this->Kept.reset();
+    PassThrough(in, out); // without what was already there of the map
     vtkErrorMacro("out of memory for an input of " << out->GetActualMemorySize() << " KiB");
   }
   catch (const std::exception& error)
@@ -233,12 +242,19 @@ void vtkIlluminationMap::Trace(vtkDataObject* input, vtkDataObject* output, vtkT
   {
     const PhotonTransport::StopRules rules = RulesOf(this);
     Validate(rules);
+    const PhotonTransport::TraceSettings settings = SettingsOf(this);
+    Validate(settings);
+    const std::uint64_t need = PhotonTransport::MemoryNeed(blocks.Surface(), settings);
+    const std::uint64_t memoryLimit = MemoryLimitOf(this);
     const std::string shape = this->WhatShapesTheMap(input);
     if (!this->Kept || !this->Kept->Serves(shape, this->Photons))
     {
-      this->SetProgressText("Building the scene");
-      this->UpdateProgress(0.0);
       this->Kept.reset(); // first, so that two never share the memory
+      PhotonTransport::RequireMemory(need, memoryLimit);
+      const std::string text =
+        "Building the scene, up to " + std::to_string(need >> 20) + " MiB of memory";
+      this->SetProgressText(text.c_str());
+      this->UpdateProgress(0.0);
       this->Kept = std::make_unique<KeptRun>(this, blocks, shape);
     }
     PhotonTransport::IlluminationRun& run = this->Kept->Run;
@@ -246,6 +262,7 @@ void vtkIlluminationMap::Trace(vtkDataObject* input, vtkDataObject* output, vtkT
 
     AddPointArrays(blocks, this->Kept->Scene, run, this->RegisterBackSide);
     AddFieldData(output->GetFieldData(), run, reason, NotesOn(blocks, this->Kept->Scene));
+    AddMemoryNeeded(output->GetFieldData(), need);
     FillAccuracyTable(accuracy, run.Rounds());
   }
   catch (const InvalidInput& error)
@@ -282,5 +299,6 @@ void vtkIlluminationMap::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "FeatureAngle: " << this->FeatureAngle << "\n"
      << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n"
      << indent << "WeightBound: " << this->WeightBound << "\n"
-     << indent << "MaximumPathLength: " << this->MaximumPathLength << "\n";
+     << indent << "MaximumPathLength: " << this->MaximumPathLength << "\n"
+     << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

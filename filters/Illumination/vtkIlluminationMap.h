@@ -23,8 +23,8 @@
  *  - PhotonHits (vtkIdType): photons that hit the front of a facet around the point.
  * and these field data arrays: PhotonsEmitted = PhotonsAbsorbed + PhotonsEscaped + PhotonsCutOff,
  * EmittedFlux (lm), FluxCutByWeightBound (lm), Seconds, PhotonsPerSecond, SegmentsPerSecond,
- * StoppedBy, Effects (which are on or off, and why), Notes (what was found and mended in the
- * input), IlluminationMapsVersion.
+ * MemoryNeeded (bytes, at most), StoppedBy, Effects (which are on or off, and why), Notes (what was
+ * found and mended in the input), IlluminationMapsVersion.
  *
  * Give watts for lumens and the result is irradiance in W/m^2.
  *
@@ -52,6 +52,12 @@ public:
   static vtkIlluminationMap* New();
   vtkTypeMacro(vtkIlluminationMap, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  using Superclass::Update;
+  /**
+   * As ever, but an observer of the progress may delete the filter: it lives until this returns.
+   */
+  void Update(int port) override;
 
   enum LampTypes
   {
@@ -261,7 +267,8 @@ public:
 
   ///@{
   /**
-   * Threads to trace with; 0 means all cores. The result does not depend on it. Default: 0.
+   * Threads to trace with, 0 to 1024; 0 means all cores. The result does not depend on it.
+   * Default: 0.
    */
   vtkSetMacro(NumberOfThreads, int);
   vtkGetMacro(NumberOfThreads, int);
@@ -284,6 +291,16 @@ public:
    */
   vtkSetMacro(MaximumPathLength, int);
   vtkGetMacro(MaximumPathLength, int);
+  ///@}
+
+  ///@{
+  /**
+   * GiB of memory that the input's triangles, the run and its results may take together, >= 0; 0 is
+   * what the machine has available (on Linux; no limit on other systems). What they need is worked
+   * out before they take it, told in MemoryNeeded, and refused if it is more. Default: 0.
+   */
+  vtkSetMacro(MemoryLimit, double);
+  vtkGetMacro(MemoryLimit, double);
   ///@}
 
 protected:
@@ -321,6 +338,7 @@ protected:
   int NumberOfThreads = 0;
   double WeightBound = 16.0;
   int MaximumPathLength = 10000;
+  double MemoryLimit = 0.0;
 
 private:
   vtkIlluminationMap(const vtkIlluminationMap&) = delete;

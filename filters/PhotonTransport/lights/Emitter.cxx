@@ -25,16 +25,25 @@ constexpr double FloatSlack = 1e-6;
 /// Every point of the scene is within this distance of the scene's origin: sqrt(3), rounded up.
 constexpr double SceneRadius = 1.7321;
 
+/// Scene units. Embree ends the process at a ray that starts beyond 1.8e18, where squares leave the
+/// range of a float; a panel's point is the sum of three lengths.
+constexpr double Farthest = 0x1p59;
+
 [[noreturn]] void RefuseLamp(const std::string& message)
 {
   throw InvalidInput(InvalidInput::Where::LampSettings, 0, message);
 }
 
-std::string Text(const glm::dvec3& v)
+std::string Text(double value)
 {
   std::ostringstream text;
-  text << '(' << v.x << ", " << v.y << ", " << v.z << ')';
+  text << value;
   return text.str();
+}
+
+std::string Text(const glm::dvec3& v)
+{
+  return '(' + Text(v.x) + ", " + Text(v.y) + ", " + Text(v.z) + ')';
 }
 
 bool IsFinite(const glm::dvec3& v)
@@ -46,18 +55,37 @@ double CheckedAmount(double amount, const char* what)
 {
   if (!(amount >= 0.0) || !std::isfinite(amount))
   {
-    RefuseLamp(std::string(what) + " " + std::to_string(amount) + " is not a finite number >= 0");
+    RefuseLamp(std::string(what) + " " + Text(amount) + " is not a finite number >= 0");
   }
   return amount;
 }
 
+/// In scene units.
+double CheckedLength(double length, const Scene& scene, const char* what)
+{
+  const double inScene = scene.GetPlacement().LengthToScene(CheckedAmount(length, what));
+  if (!(inScene <= Farthest))
+  {
+    RefuseLamp(std::string(what) + " " + Text(length) + " is more than " + Text(Farthest) +
+      " times the size of the surface");
+  }
+  return inScene;
+}
+
+/// In scene coordinates.
 glm::dvec3 CheckedPosition(const glm::dvec3& position, const Scene& scene)
 {
   if (!IsFinite(position))
   {
     RefuseLamp("lamp position " + Text(position) + " is not finite");
   }
-  return scene.GetPlacement().PointToScene(position);
+  const glm::dvec3 inScene = scene.GetPlacement().PointToScene(position);
+  if (!(std::max({ std::fabs(inScene.x), std::fabs(inScene.y), std::fabs(inScene.z) }) <= Farthest))
+  {
+    RefuseLamp("lamp position " + Text(position) + " is more than " + Text(Farthest) +
+      " times the size of the surface away from it");
+  }
+  return inScene;
 }
 
 glm::dvec3 CheckedDirection(const glm::dvec3& direction)
@@ -165,9 +193,8 @@ Prepared Prepare(const RectangleLamp& lamp, const Scene& scene)
   glm::dvec3 across = glm::cross(glm::dvec3(0.0, 0.0, 1.0), direction);
   constexpr double Vertical = 1e-6;
   across = glm::length(across) > Vertical ? glm::normalize(across) : glm::dvec3(1.0, 0.0, 0.0);
-  const double width = scene.GetPlacement().LengthToScene(CheckedAmount(lamp.width, "lamp width"));
-  const double height =
-    scene.GetPlacement().LengthToScene(CheckedAmount(lamp.height, "lamp height"));
+  const double width = CheckedLength(lamp.width, scene, "lamp width");
+  const double height = CheckedLength(lamp.height, scene, "lamp height");
   return { PanelEmitter{ CheckedPosition(lamp.centre, scene), FrameOf(direction),
              0.5 * width * across, 0.5 * height * glm::cross(direction, across), false },
     CheckedAmount(lamp.flux, "luminous flux") };
@@ -176,8 +203,7 @@ Prepared Prepare(const RectangleLamp& lamp, const Scene& scene)
 Prepared Prepare(const DiskLamp& lamp, const Scene& scene)
 {
   const Frame frame = FrameOf(CheckedDirection(lamp.direction));
-  const double radius =
-    scene.GetPlacement().LengthToScene(CheckedAmount(lamp.radius, "lamp radius"));
+  const double radius = CheckedLength(lamp.radius, scene, "lamp radius");
   return { PanelEmitter{ CheckedPosition(lamp.centre, scene), frame,
              radius * glm::dvec3(frame.tangent), radius * glm::dvec3(frame.bitangent), true },
     CheckedAmount(lamp.flux, "luminous flux") };

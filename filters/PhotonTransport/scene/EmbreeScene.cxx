@@ -146,4 +146,19 @@ void EmbreeScene::Intersect(const Ray* rays, Hit* hits, std::size_t count) const
   }
 }
 
+void EmbreeScene::ForEachNear(
+  const glm::vec3& point, float distance, const std::function<void(std::uint32_t)>& f) const
+{
+  RTCPointQuery query{ point.x, point.y, point.z, 0.0f, distance };
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  const auto call = [](RTCPointQueryFunctionArguments* found)
+  {
+    (*static_cast<const std::function<void(std::uint32_t)>*>(found->userPtr))(found->primID);
+    return false; // the distance stays as it is
+  };
+  rtcPointQuery(
+    this->Impl->scene, &query, &context, call, const_cast<std::function<void(std::uint32_t)>*>(&f));
+}
+
 } // namespace PhotonTransport

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -46,6 +47,10 @@ public:
   /// they have nothing in common. A ray that meets an edge may get either of its facets, depending
   /// on its neighbours in the eight: callers that promise the same bits pass the same groups.
   void Intersect(const Ray* rays, Hit* hits, std::size_t count) const;
+
+  /// Calls f(facet) for all facets whose bounds come within a distance of a point, in any order.
+  void ForEachNear(
+    const glm::vec3& point, float distance, const std::function<void(std::uint32_t)>& f) const;
 
 private:
   struct Implementation;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/Scene.h"
 
+#include "PhotonTransport/scene/DoubleSheets.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 
 #include <glm/common.hpp>
@@ -8,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 namespace PhotonTransport
 {
@@ -25,8 +28,40 @@ constexpr float OriginOffset = 0x1p-19f;
 /// degrees, where the plain offset lets rays out.
 constexpr float EdgeClearance = 4.0f * OriginOffset;
 
+/// Scene units squared. A smaller facet has no area that its single-precision record could hold.
+constexpr double LeastArea = std::numeric_limits<float>::min();
+
 /// Below this sine of the angle to its facets a vertex normal counts as theirs.
 constexpr float NoTilt = 1e-4f;
+
+/// Two sheets this close are in one place: a ray's distance to them is rounded by as much.
+constexpr float SheetGap = 0x1p-20f;
+
+/// Cosine above which two planes that close are one.
+constexpr float SameSheet = 0.999f;
+
+/// Barycentric coordinates of a point that lies in a triangle, up to SheetGap in any direction.
+std::optional<glm::vec3> Within(
+  const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+  const glm::dvec3 normal = glm::cross(b - a, c - a); // of twice the area
+  const double twiceArea = glm::length(normal);
+  if (std::fabs(glm::dot(point - a, normal)) > double{ SheetGap } * twiceArea)
+  {
+    return std::nullopt;
+  }
+  const auto share = [&](const glm::dvec3& from, const glm::dvec3& to)
+  {
+    const double part = glm::dot(glm::cross(to - from, point - from), normal) / twiceArea;
+    return part < -double{ SheetGap } * glm::length(to - from) ? -1.0 : std::max(0.0, part);
+  };
+  const glm::dvec3 parts(share(b, c), share(c, a), share(a, b));
+  if (parts.x < 0.0 || parts.y < 0.0 || parts.z < 0.0)
+  {
+    return std::nullopt;
+  }
+  return glm::vec3(parts / (parts.x + parts.y + parts.z));
+}
 
 /// Unit length, or zero for a normal that says nothing.
 glm::dvec3 UsableNormal(const glm::dvec3& normal)
@@ -69,10 +104,26 @@ Scene::Scene(const Surface& surface)
 {
   Validate(surface);
   this->Place = FitPlacement(surface.points, surface.facets);
+  this->RequireSize();
   const std::vector<glm::vec3> positions = ScenePositions(surface, this->Place);
   this->AddFacets(surface, positions);
   this->AddVertices(surface, positions);
+  this->FindDoubleSheets();
   this->BuildBvh(positions);
+}
+
+/// Areas must neither vanish nor overflow in m^2.
+void Scene::RequireSize() const
+{
+  const double squareMetres = this->SquareMetresPerSceneArea();
+  constexpr double MostFacets = 0x1p32;
+  if (!std::isnormal(squareMetres * LeastArea / 3.0) || !std::isfinite(squareMetres * MostFacets))
+  {
+    std::ostringstream message;
+    message << "the surface is about " << this->MetresPerUnit / this->Place.scale
+            << " m across; its areas in m^2 are beyond what a number can hold";
+    throw InvalidInput(InvalidInput::Where::Surface, 0, message.str());
+  }
 }
 
 void Scene::AddFacets(const Surface& surface, const std::vector<glm::vec3>& positions)
@@ -88,7 +139,7 @@ void Scene::AddFacets(const Surface& surface, const std::vector<glm::vec3>& posi
     const glm::dvec3 a(positions[ids[0]]), b(positions[ids[1]]), c(positions[ids[2]]);
     glm::dvec3 areaVector = 0.5 * glm::cross(b - a, c - a);
     const double area = glm::length(areaVector);
-    if (!(area > 0.0))
+    if (!(area >= LeastArea))
     {
       ++this->Found.droppedFacets;
       continue;
@@ -132,12 +183,25 @@ void Scene::AddVertices(const Surface& surface, const std::vector<glm::vec3>& po
   this->Areas.reserve(positions.size());
   this->FirstAreas.reserve(positions.size() + 1);
   this->FirstAreas.push_back(0);
+  this->ReserveRingAreas(positions.size());
   for (std::uint32_t v = 0; v < positions.size(); ++v)
   {
     this->AddRingAreas(v);
     this->VertexRecords.push_back(
       this->MakeVertex(v, UsableNormal(surface.normals[v]), positions[v]));
   }
+}
+
+/// Growing by doubling would take three times the memory for a moment.
+void Scene::ReserveRingAreas(std::size_t vertices)
+{
+  std::size_t groups = 0;
+  for (std::uint32_t v = 0; v < vertices; ++v)
+  {
+    const Range<std::uint32_t> ring = this->VertexRings.Of(v);
+    groups += static_cast<std::size_t>(ring.end() - ring.begin() + 3) / 4;
+  }
+  this->AreasByRing.reserve(groups);
 }
 
 void Scene::AddRingAreas(std::uint32_t vertex)
@@ -201,6 +265,44 @@ void Scene::BuildBvh(const std::vector<glm::vec3>& positions)
     indices.push_back(facet.vertices);
   }
   this->Bvh.emplace(positions, indices);
+}
+
+void Scene::FindDoubleSheets()
+{
+  std::vector<FacetPlane> planes;
+  planes.reserve(this->FacetRecords.size());
+  for (const Facet& facet : this->FacetRecords)
+  {
+    planes.push_back({ this->VertexRecords[facet.vertices.x].position, facet.normal });
+  }
+  this->DoubleSheets = FacetsOfDoubleSheets(planes);
+}
+
+bool Scene::FindFront(const Ray& ray, Hit& hit) const
+{
+  const auto corner = [&](const Facet& facet, int c)
+  { return glm::dvec3(this->VertexRecords[facet.vertices[c]].position); };
+  const Facet& behind = this->FacetRecords[hit.facet];
+  const glm::dvec3 point = double(hit.barycentric.x) * corner(behind, 0) +
+    double(hit.barycentric.y) * corner(behind, 1) + double(hit.barycentric.z) * corner(behind, 2);
+  std::uint32_t chosen = NoFacet; // the first in the list, whatever the order of the search
+  const auto look = [&](std::uint32_t f)
+  {
+    const Facet& facet = this->FacetRecords[f];
+    if (f < chosen && glm::dot(ray.direction, facet.normal) < 0.0f &&
+      glm::dot(behind.normal, facet.normal) < -SameSheet)
+    {
+      const auto there = Within(point, corner(facet, 0), corner(facet, 1), corner(facet, 2));
+      if (there)
+      {
+        chosen = f;
+        hit.barycentric = *there;
+      }
+    }
+  };
+  this->Bvh->ForEachNear(glm::vec3(point), SheetGap, look);
+  hit.facet = chosen != NoFacet ? chosen : hit.facet;
+  return chosen != NoFacet;
 }
 
 glm::vec3 Scene::SafeOrigin(const Facet& facet, const glm::vec3& barycentric, bool front) const

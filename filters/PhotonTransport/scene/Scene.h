@@ -49,7 +49,7 @@ struct alignas(16) RingAreas
 struct SceneNotes
 {
   std::size_t turnedFacets = 0;    ///< Winding against the normals; turned for the sides.
-  std::size_t droppedFacets = 0;   ///< Zero area: they can't be hit.
+  std::size_t droppedFacets = 0;   ///< No area that a float can hold: they can't be hit.
   std::size_t replacedNormals = 0; ///< Zero or not finite: the ring's mean normal instead.
   std::size_t tiltedVertices = 0;  ///< Normal differs from some facet's around it.
   std::size_t reflectingFacets = 0;
@@ -66,6 +66,15 @@ public:
   void Intersect(const Ray* rays, Hit* hits, std::size_t count) const
   {
     this->Bvh->Intersect(rays, hits, count);
+  }
+
+  /// Where two sheets of a wall lie in one place, a ray may meet the wrong one. Moves a hit on the
+  /// back of a facet to the facet there whose front the ray meets, and returns whether there is
+  /// one.
+  bool PreferFront(const Ray& ray, Hit& hit) const
+  {
+    return !this->DoubleSheets.empty() && this->DoubleSheets[hit.facet] != 0 &&
+      this->FindFront(ray, hit);
   }
 
   /// Where a ray starts that leaves the point `barycentric` of a facet on its front or back.
@@ -105,10 +114,14 @@ public:
   const SceneNotes& Notes() const { return this->Found; }
 
 private:
+  void RequireSize() const;
   void AddFacets(const Surface& surface, const std::vector<glm::vec3>& positions);
   void AddVertices(const Surface& surface, const std::vector<glm::vec3>& positions);
+  void ReserveRingAreas(std::size_t vertices);
   void AddRingAreas(std::uint32_t vertex);
   Vertex MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const glm::vec3& position);
+  void FindDoubleSheets();
+  bool FindFront(const Ray& ray, Hit& hit) const;
   void BuildBvh(const std::vector<glm::vec3>& positions);
 
   Placement Place;
@@ -122,6 +135,7 @@ private:
   SceneNotes Found;
   std::vector<double> Areas;
   std::vector<Vertex> VertexRecords;
+  std::vector<std::uint8_t> DoubleSheets; ///< By facet; empty if there are none.
   std::optional<EmbreeScene> Bvh;
 };
 

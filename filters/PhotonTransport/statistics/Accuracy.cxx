@@ -37,12 +37,27 @@ double FallingPower(const Accuracy& now, const std::vector<Accuracy>& earlier)
     std::log(before->relativeError / now.relativeError) / std::log(growth), Independent, Best);
 }
 
+/// Of the standard error, by area. The squares are of ratios, which neither vanish nor overflow
+/// where the light is very weak or very strong.
+double RelativeRms(
+  const IlluminationMap& map, const std::vector<double>& areas, double meanIlluminance)
+{
+  double sumOfAreas = 0.0;
+  double sumOfSquares = 0.0;
+  for (std::size_t v = 0; v < areas.size(); ++v)
+  {
+    const double ratio = map.standardError[v] / meanIlluminance;
+    sumOfAreas += areas[v];
+    sumOfSquares += areas[v] * ratio * ratio;
+  }
+  return std::sqrt(sumOfSquares / sumOfAreas);
+}
+
 } // namespace
 
 void MeasureErrors(Accuracy& accuracy, const IlluminationMap& map, const std::vector<double>& areas)
 {
   double sumOfAreas = 0.0;
-  double sumOfSquares = 0.0;
   double flux = 0.0;
   std::vector<double> relative;
   relative.reserve(areas.size());
@@ -50,7 +65,6 @@ void MeasureErrors(Accuracy& accuracy, const IlluminationMap& map, const std::ve
   {
     const double total = map.direct[v] + map.indirect[v];
     sumOfAreas += areas[v];
-    sumOfSquares += areas[v] * map.standardError[v] * map.standardError[v];
     flux += areas[v] * total;
     if (total > 0.0)
     {
@@ -58,8 +72,7 @@ void MeasureErrors(Accuracy& accuracy, const IlluminationMap& map, const std::ve
     }
   }
   // No hit yet: nothing is known, and 0 would end a run that has a target.
-  accuracy.relativeError =
-    flux > 0.0 ? std::sqrt(sumOfSquares / sumOfAreas) / (flux / sumOfAreas) : 1.0;
+  accuracy.relativeError = flux > 0.0 ? RelativeRms(map, areas, flux / sumOfAreas) : 1.0;
   accuracy.medianRelativeError = Quantile(relative, 0.5);
   accuracy.percentile95RelativeError = Quantile(relative, 0.95);
 }

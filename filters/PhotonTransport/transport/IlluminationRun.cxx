@@ -3,9 +3,7 @@
 
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/statistics/ReplicateStatistics.h"
-
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
+#include "PhotonTransport/transport/ParallelFor.h"
 
 #include <algorithm>
 #include <chrono>
@@ -276,8 +274,8 @@ IlluminationMap IlluminationRun::Side(std::vector<VertexSums> IlluminationSums::
     map.standardError[v] = luxPerWeight * statistics.StandardError();
     map.photonHits[v] = total.hits;
   };
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices),
-    [&](const tbb::blocked_range<std::size_t>& range)
+  ParallelFor(0, vertices,
+    [&](const tbb::blocked_range<std::uint64_t>& range)
     {
       for (std::size_t v = range.begin(); v < range.end(); ++v)
       {

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/transport/PhotonTracer.h"
 
+#include "PhotonTransport/scene/InvalidInput.h"
+#include "PhotonTransport/transport/ParallelFor.h"
 #include "PhotonTransport/transport/Walk.h"
 
-#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <limits>
+#include <sstream>
 #include <thread>
 
 namespace PhotonTransport
@@ -64,6 +67,29 @@ const TraceSettings& Validated(const TraceSettings& settings)
   return settings;
 }
 
+/// From one photon of 10^10 at the least weight, 2^-28, to all of them at the largest factor: every
+/// illuminance must be a number with all its digits.
+void RequireIlluminanceInRange(const Scene& scene, double flux)
+{
+  constexpr double LeastShare = 0x1p-62;
+  double least = std::numeric_limits<double>::max();
+  double largest = 0.0;
+  for (const double area : scene.VertexAreas())
+  {
+    least = area > 0.0 ? std::min(least, area) : least;
+    largest = std::max(largest, area);
+  }
+  const double brightest = flux / least * double{ LargestFactor };
+  const double faintest = flux * LeastShare / largest;
+  if (!std::isfinite(brightest) || (flux > 0.0 && !std::isnormal(faintest)))
+  {
+    std::ostringstream message;
+    message << "a luminous flux of " << flux << " lm on areas around points of " << least << " to "
+            << largest << " m^2 is an illuminance beyond what a number can hold";
+    throw InvalidInput(InvalidInput::Where::LampSettings, 0, message.str());
+  }
+}
+
 int ThreadCount(const TraceSettings& settings)
 {
   return settings.threads > 0 ? settings.threads : tbb::info::default_concurrency();
@@ -103,6 +129,7 @@ PhotonTracer::PhotonTracer(const Scene& scene, const Lamp& lamp, const TraceSett
   , Answer(AnalyseEffects(scene, settings))
   , Pool(std::make_unique<Workers>(ThreadCount(settings)))
 {
+  RequireIlluminanceInRange(scene, this->Flux());
   for (IlluminationSums& sums : this->Pool->sums)
   {
     sums = this->EmptySums();
@@ -142,8 +169,7 @@ bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint
       }
     }
   };
-  this->Pool->arena.execute(
-    [&] { tbb::parallel_for(tbb::blocked_range<std::uint64_t>(first, first + count), work); });
+  this->Pool->arena.execute([&] { ParallelFor(first, first + count, work); });
   for (IlluminationSums& own : this->Pool->sums)
   {
     MoveInto(sums, own);

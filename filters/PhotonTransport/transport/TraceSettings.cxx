@@ -27,9 +27,9 @@ void Validate(const TraceSettings& settings)
     "the weight bound is " + std::to_string(settings.weightBound) +
       "; it must be between 1 and 1048576");
   Require(settings.maximumPathLength >= 1, "the maximum path length is 0; it must be 1 or more");
-  Require(settings.threads >= 0,
+  Require(settings.threads >= 0 && settings.threads <= MostThreads,
     "the number of threads is " + std::to_string(settings.threads) +
-      "; it must be 0 (all) or more");
+      "; it must be between 0 (all) and " + std::to_string(MostThreads));
 }
 
 } // namespace PhotonTransport

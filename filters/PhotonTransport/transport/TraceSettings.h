@@ -9,6 +9,9 @@
 namespace PhotonTransport
 {
 
+/// oneTBB ends the process where the system has no thread left to give; this many it has.
+constexpr int MostThreads = 1024;
+
 /// How to trace, as opposed to what and for how long.
 struct TraceSettings
 {
@@ -20,7 +23,7 @@ struct TraceSettings
   bool registerBackSide = false; ///< Also register hits on the backs of facets.
   float weightBound = 16.0f;     ///< Largest compensating factor, [1, 2^20]; the rest is reported.
   std::uint32_t maximumPathLength = 10'000; ///< Segments of one photon; >= 1.
-  int threads = 0;                          ///< 0: all there are.
+  int threads = 0;                          ///< [0, MostThreads]; 0: all there are.
 };
 
 /// Throws InvalidInput that names the setting.

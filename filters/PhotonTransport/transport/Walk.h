@@ -34,11 +34,12 @@ struct Flight
 /// What happens to a photon at the end of a segment.
 /// @tparam Interreflection Whether any facet of the scene reflects.
 /// @param ray The segment; the next one if the photon goes on.
+/// @param hit Its end; moved to the right one of two facets in the same place.
 /// @param onHit Called as onHit(ray, hit, front, direct).
 /// @return Whether it goes on.
 template <bool Interreflection, class OnHit>
-bool Arrive(Flight& photon, Ray& ray, const Hit& hit, const WalkSettings& settings,
-  const OnHit& onHit, PhotonBalance& balance)
+bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, const OnHit& onHit,
+  PhotonBalance& balance)
 {
   ++balance.segments;
   if (!hit)
@@ -46,8 +47,9 @@ bool Arrive(Flight& photon, Ray& ray, const Hit& hit, const WalkSettings& settin
     ++balance.escaped;
     return false;
   }
+  bool front = glm::dot(ray.direction, settings.scene.Facets()[hit.facet].normal) < 0.0f;
+  front = front || settings.scene.PreferFront(ray, hit);
   const Facet& facet = settings.scene.Facets()[hit.facet];
-  const bool front = glm::dot(ray.direction, facet.normal) < 0.0f;
   onHit(ray, hit, front, photon.order == 0);
 
   if constexpr (!Interreflection)

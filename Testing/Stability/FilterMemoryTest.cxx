@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a run takes: told before, not exceeded, refused where it is too much, and given back.
+#include "FilterTools.h"
+
+#include "PhotonTransport/scene/InvalidInput.h"
+#include "PhotonTransport/transport/MemoryNeed.h"
+
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkSphereSource.h"
+#include "vtkVariant.h"
+
+#include <fstream>
+#include <limits>
+#include <string>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace
+{
+
+#if defined(__SANITIZE_ADDRESS__)
+/// It keeps freed memory for a while, and looks for leaks by itself.
+constexpr bool MeasuresMemory = false;
+#else
+constexpr bool MeasuresMemory = true;
+#endif
+
+/// A line of /proc/self/status, in bytes.
+double Status(const std::string& key)
+{
+  std::ifstream in("/proc/self/status");
+  std::string word;
+  while (in >> word && word != key)
+  {
+  }
+  double kibibytes = 0.0;
+  in >> kibibytes;
+  return 1024.0 * kibibytes;
+}
+
+void ForgetPeak()
+{
+  std::ofstream("/proc/self/clear_refs") << "5";
+}
+
+/// Freed memory to the system, as far as the library can.
+void GiveBack()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+class FilterMemory : public FilterTest
+{
+protected:
+  void SetUp() override
+  {
+    this->FilterTest::SetUp();
+    if (Status("VmRSS:") == 0.0)
+    {
+      GTEST_SKIP() << "this system does not tell what a process takes";
+    }
+  }
+
+  double Needed() const
+  {
+    vtkAbstractArray* needed =
+      this->Filter->GetOutput()->GetFieldData()->GetAbstractArray("MemoryNeeded");
+    return needed ? needed->GetVariantValue(0).ToDouble() : 0.0;
+  }
+};
+
+/// 1000 x 500 points and nearly a million triangles.
+vtkSmartPointer<vtkPolyData> LargeSphere()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(1000);
+  sphere->SetPhiResolution(500);
+  sphere->Update();
+  return sphere->GetOutput();
+}
+
+} // namespace
+
+TEST_F(FilterMemory, NoMoreThanWasSaid)
+{
+  if (!MeasuresMemory)
+  {
+    GTEST_SKIP() << "not with the address sanitizer";
+  }
+  vtkSmartPointer<vtkPolyData> large = LargeSphere();
+  struct Case
+  {
+    int lamp, threads;
+    bool back;
+  };
+  for (const Case& c :
+    { Case{ vtkIlluminationMap::PARALLEL, 1, false }, Case{ vtkIlluminationMap::POINT, 8, true } })
+  {
+    this->Filter->SetLampType(c.lamp);
+    this->Filter->SetNumberOfThreads(c.threads);
+    this->Filter->SetRegisterBackSide(c.back);
+    this->Filter->SetInputData(SmallSphere());
+    this->ExpectMap(); // what every process takes: libraries, threads
+    GiveBack();
+    const double before = Status("VmRSS:");
+    ForgetPeak();
+    this->Filter->SetInputData(large);
+    this->ExpectMap();
+    const double taken = Status("VmHWM:") - before;
+    this->RecordProperty("taken", std::to_string(taken * 0x1p-20) + " MiB");
+    this->RecordProperty("said", std::to_string(this->Needed() * 0x1p-20) + " MiB");
+    // VTK's own cutting and copying comes before, and is no more than this run.
+    EXPECT_LT(taken, this->Needed());
+    EXPECT_GT(taken, 0.5 * this->Needed()) << "it would refuse what could be run";
+  }
+}
+
+TEST_F(FilterMemory, MoreThanTheLimitIsRefused)
+{
+  this->ExpectMap();
+  const double needed = this->Needed();
+  EXPECT_GT(needed, 0.0);
+  this->Filter->SetSeed(2); // another run, so that none is at hand to go on from
+  this->Filter->SetMemoryLimit(0.99 * needed * 0x1p-30);
+  this->ExpectError("and its limit is ");
+  this->Filter->SetMemoryLimit(1e-300);
+  this->ExpectError("and its limit is 9.31e-10 GiB");
+  this->Filter->SetMemoryLimit(1.01 * needed * 0x1p-30);
+  this->ExpectMap();
+  for (const double bad :
+    { std::numeric_limits<double>::quiet_NaN(), -1.0, std::numeric_limits<double>::infinity() })
+  {
+    this->Filter->SetMemoryLimit(bad);
+    this->ExpectError("MemoryLimit is ");
+  }
+  this->Filter->SetMemoryLimit(1e300);
+  this->ExpectMap();
+}
+
+TEST_F(FilterMemory, MoreThanTheMachineHasIsRefused)
+{
+  const std::optional<std::uint64_t> available = PhotonTransport::AvailableMemory();
+  ASSERT_TRUE(available);
+  EXPECT_GT(*available, 0u);
+  using PhotonTransport::InvalidInput;
+  EXPECT_NO_THROW(PhotonTransport::RequireMemory(*available / 2, 0));
+  EXPECT_THROW(PhotonTransport::RequireMemory(*available * 2, 0), InvalidInput);
+}
+
+TEST_F(FilterMemory, DoesNotGrowOverAThousandExecutions)
+{
+  if (!MeasuresMemory)
+  {
+    GTEST_SKIP() << "not with the address sanitizer";
+  }
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(32);
+  sphere->SetPhiResolution(32);
+  this->Filter->SetInputConnection(sphere->GetOutputPort());
+  this->Filter->SetPhotons(2048);
+  const auto execute = [&](int times)
+  {
+    for (int i = 0; i < times; ++i)
+    {
+      this->Filter->SetSeed(this->Filter->GetSeed() + 1);
+      this->Filter->SetRegisterBackSide(i % 2 == 0);
+      this->Filter->SetLampType(i % 3);
+      this->Filter->SetReflectance(i % 50 == 49 ? 2.0 : 0.5); // errors give back too
+      this->Filter->Update();
+    }
+  };
+  execute(100); // caches fill, the heap finds its size
+  GiveBack();
+  const double before = Status("VmRSS:");
+  execute(1000);
+  GiveBack();
+  const double growth = Status("VmRSS:") - before;
+  // The least that a run could leave behind each time and still be worth the name of a leak is one
+  // array of one number a point.
+  const double leastLeak =
+    1000.0 * 8.0 * static_cast<double>(sphere->GetOutput()->GetNumberOfPoints());
+  this->RecordProperty("growth", std::to_string(growth / 1024.0) + " KiB");
+  EXPECT_LT(growth, 0.5 * leastLeak);
+}

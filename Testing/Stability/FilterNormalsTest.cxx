@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Point normals as they come: of any type, name, length, in part, not at all.
+#include "FilterTools.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace
+{
+
+class FilterNormals : public FilterTest
+{
+protected:
+  void SetUp() override
+  {
+    this->FilterTest::SetUp();
+    this->Given = this->Surface->GetPointData()->GetNormals();
+  }
+
+  /// The given normals times a factor in an array of another kind.
+  template <class Array>
+  vtkSmartPointer<Array> Copy(double factor) const
+  {
+    auto copy = vtkSmartPointer<Array>::New();
+    copy->SetName("Normals");
+    copy->SetNumberOfComponents(3);
+    copy->SetNumberOfTuples(this->Given->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < 3 * this->Given->GetNumberOfTuples(); ++i)
+    {
+      copy->SetComponent(i / 3, static_cast<int>(i % 3),
+        factor * this->Given->GetComponent(i / 3, static_cast<int>(i % 3)));
+    }
+    return copy;
+  }
+
+  void Use(vtkDataArray* normals)
+  {
+    this->Surface->GetPointData()->Initialize();
+    this->Surface->GetPointData()->SetNormals(normals);
+  }
+
+  std::vector<double> Map()
+  {
+    this->ExpectMap();
+    std::vector<double> map;
+    for (vtkIdType i = 0; i < this->Surface->GetNumberOfPoints(); ++i)
+    {
+      map.push_back(this->OutputArray("Illuminance")->GetTuple1(i));
+    }
+    return map;
+  }
+
+  vtkSmartPointer<vtkDataArray> Given;
+};
+
+} // namespace
+
+TEST_F(FilterNormals, OfAnyTypeAndLengthGiveTheSameBits)
+{
+  for (const int registration : { 0, 1, 2 })
+  {
+    this->Filter->SetRegistration(registration);
+    this->Use(this->Given);
+    const std::vector<double> expected = this->Map();
+    // Powers of two cost no rounding.
+    for (const double factor : { 1.0, 0x1p-66, 0x1p66 })
+    {
+      this->Use(this->Copy<vtkFloatArray>(factor));
+      EXPECT_EQ(this->Map(), expected) << "float times " << factor;
+      this->Use(this->Copy<vtkDoubleArray>(factor));
+      EXPECT_EQ(this->Map(), expected) << "double times " << factor;
+    }
+    this->Use(this->Copy<vtkDoubleArray>(0x1p-1040)); // below the least normal double in part
+    this->ExpectMap();
+    this->Use(this->Copy<vtkDoubleArray>(0x1p1023));
+    EXPECT_EQ(this->Map(), expected);
+  }
+}
+
+TEST_F(FilterNormals, OfIntegersServeToo)
+{
+  const vtkSmartPointer<vtkIntArray> whole = this->Copy<vtkIntArray>(1e9);
+  this->Use(whole);
+  const std::vector<double> expected = this->Map();
+  vtkNew<vtkDoubleArray> same;
+  same->DeepCopy(whole);
+  same->SetName("Normals");
+  this->Use(same);
+  EXPECT_EQ(this->Map(), expected);
+}
+
+TEST_F(FilterNormals, AreFoundByMarkOrByName)
+{
+  const std::vector<double> expected = this->Map();
+  const vtkSmartPointer<vtkFloatArray> byName = this->Copy<vtkFloatArray>(1.0);
+  this->Surface->GetPointData()->Initialize();
+  this->Surface->GetPointData()->AddArray(byName);
+  EXPECT_EQ(this->Map(), expected);
+  // The mark goes before the name.
+  const vtkSmartPointer<vtkFloatArray> marked = this->Copy<vtkFloatArray>(1.0);
+  marked->SetName("Anything");
+  byName->Fill(std::numeric_limits<float>::quiet_NaN());
+  this->Surface->GetPointData()->SetNormals(marked);
+  EXPECT_EQ(this->Map(), expected);
+}
+
+TEST_F(FilterNormals, MissingAreComputedAndSaid)
+{
+  // In flat registration normals only tell the sides, so computed ones must change nothing.
+  this->Filter->SetRegistration(vtkIlluminationMap::FLAT);
+  this->Filter->SetFeatureAngle(180.0);
+  const std::vector<double> expected = this->Map();
+  this->Surface->GetCellData()->SetNormals(this->Copy<vtkFloatArray>(1.0)); // of no use: per cell
+  this->Surface->GetCellData()->GetNormals()->SetNumberOfTuples(this->Surface->GetNumberOfCells());
+  this->Surface->GetPointData()->Initialize();
+  EXPECT_EQ(this->Map(), expected);
+  EXPECT_EQ(this->Notes(), "the points had no normals; they were computed\n");
+}
+
+TEST_F(FilterNormals, MissingInOneBlockAreComputedThere)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, this->Surface);
+  vtkSmartPointer<vtkPolyData> bare = SmallSphere();
+  bare->GetPointData()->Initialize();
+  blocks->SetBlock(1, bare);
+  this->Filter->SetInputData(blocks);
+  this->Run();
+  EXPECT_EQ(this->Messages->Errors, 0) << this->Messages->Text;
+  EXPECT_EQ(this->Notes(), "the points of block 2 had no normals; they were computed\n");
+}
+
+TEST_F(FilterNormals, WithoutADirectionAreReplacedAndCounted)
+{
+  const double inf = std::numeric_limits<double>::infinity();
+  const vtkSmartPointer<vtkDoubleArray> normals = this->Copy<vtkDoubleArray>(1.0);
+  normals->SetTuple3(3, 0.0, 0.0, 0.0);
+  normals->SetTuple3(4, std::nan(""), 0.0, 1.0);
+  normals->SetTuple3(5, 0.0, inf, 0.0);
+  normals->SetTuple3(6, -0.0, 0.0, -0.0);
+  this->Use(normals);
+  for (const int registration : { 0, 1, 2 })
+  {
+    this->Filter->SetRegistration(registration);
+    this->ExpectMap();
+    EXPECT_EQ(this->Notes(),
+      "4 point normals were zero or not finite; the mean of the facets around the point stands "
+      "in\n");
+  }
+}

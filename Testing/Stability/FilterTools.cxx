@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterTools.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkLogger.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkSphereSource.h"
+#include "vtkVariant.h"
+
+#include <cmath>
+
+vtkStandardNewMacro(MessageCounter);
+
+void MessageCounter::DisplayErrorText(const char* text)
+{
+  ++this->Errors;
+  this->Text += text;
+}
+
+void MessageCounter::DisplayWarningText(const char* text)
+{
+  ++this->Warnings;
+  this->Text += text;
+}
+
+void MessageCounter::DisplayGenericWarningText(const char* text)
+{
+  this->DisplayWarningText(text);
+}
+
+void MessageCounter::Clear()
+{
+  this->Errors = 0;
+  this->Warnings = 0;
+  this->Text.clear();
+}
+
+vtkSmartPointer<vtkPolyData> SmallSphere()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  return sphere->GetOutput();
+}
+
+bool AllFinite(vtkPolyData* data)
+{
+  for (const char* name :
+    { "Illuminance", "IlluminanceDirect", "IlluminanceIndirect", "StandardError", "RelativeError" })
+  {
+    vtkDataArray* array = data->GetPointData()->GetArray(name);
+    if (!array || array->GetNumberOfTuples() != data->GetNumberOfPoints())
+    {
+      return false;
+    }
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      if (!std::isfinite(array->GetTuple1(i)))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+void FilterTest::SetUp()
+{
+  this->Before = vtkOutputWindow::GetInstance();
+  vtkOutputWindow::SetInstance(this->Messages);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // what is expected is not worth a line
+  this->Surface = SmallSphere();
+  this->Filter->SetInputData(this->Surface);
+  this->Filter->SetPhotons(4096);
+}
+
+void FilterTest::TearDown()
+{
+  vtkOutputWindow::SetInstance(this->Before);
+}
+
+void FilterTest::Run()
+{
+  this->Messages->Clear();
+  this->Filter->Modified();
+  this->Filter->Update();
+}
+
+void FilterTest::ExpectError(const std::string& words)
+{
+  SCOPED_TRACE(words);
+  vtkDataObject* input = this->Filter->GetInputDataObject(0, 0);
+  this->Run();
+  EXPECT_EQ(this->Messages->Errors, 1) << this->Messages->Text;
+  EXPECT_EQ(this->Messages->Warnings, 0) << this->Messages->Text;
+  EXPECT_NE(this->Messages->Text.find(words), std::string::npos) << this->Messages->Text;
+
+  vtkDataObject* output = this->Filter->GetOutputDataObject(0);
+  ASSERT_NE(output, nullptr);
+  EXPECT_EQ(output->GetDataObjectType(), input->GetDataObjectType());
+  if (auto* given = vtkPolyData::SafeDownCast(input))
+  {
+    auto* passed = vtkPolyData::SafeDownCast(output);
+    EXPECT_EQ(passed->GetPoints(), given->GetPoints());
+    EXPECT_EQ(passed->GetPolys(), given->GetPolys());
+    EXPECT_EQ(
+      passed->GetPointData()->GetNumberOfArrays(), given->GetPointData()->GetNumberOfArrays());
+  }
+}
+
+void FilterTest::ExpectMap()
+{
+  this->Run();
+  EXPECT_EQ(this->Messages->Errors, 0) << this->Messages->Text;
+  EXPECT_EQ(this->Messages->Warnings, 0) << this->Messages->Text;
+  EXPECT_TRUE(AllFinite(this->Filter->GetOutput()));
+}
+
+vtkDataArray* FilterTest::OutputArray(const char* name) const
+{
+  return this->Filter->GetOutput()->GetPointData()->GetArray(name);
+}
+
+std::string FilterTest::Notes() const
+{
+  std::string text;
+  vtkAbstractArray* notes =
+    this->Filter->GetOutputDataObject(0)->GetFieldData()->GetAbstractArray("Notes");
+  for (vtkIdType i = 0; notes && i < notes->GetNumberOfValues(); ++i)
+  {
+    text += notes->GetVariantValue(i).ToString() + "\n";
+  }
+  return text;
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "vtkIlluminationMap.h"
+
+#include "vtkNew.h"
+#include "vtkOutputWindow.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+class vtkDataArray;
+
+/// Counts what VTK would print, whoever says it: filter, executive or a filter inside.
+class MessageCounter : public vtkOutputWindow
+{
+public:
+  static MessageCounter* New();
+  vtkTypeMacro(MessageCounter, vtkOutputWindow);
+
+  void DisplayErrorText(const char* text) override;
+  void DisplayWarningText(const char* text) override;
+  void DisplayGenericWarningText(const char* text) override;
+  void DisplayText(const char*) override {}
+  void Clear();
+
+  int Errors = 0;
+  int Warnings = 0;
+  std::string Text;
+};
+
+/// The filter on a small sphere, or what a test makes of it, and all that VTK says meanwhile.
+class FilterTest : public ::testing::Test
+{
+protected:
+  void SetUp() override;
+  void TearDown() override;
+
+  /// Runs the filter again, whatever it has.
+  void Run();
+  /// One error that says `words`, no warning; the input passes through untouched, without a map;
+  /// and the filter makes a map once it is given the sphere.
+  void ExpectError(const std::string& words);
+  /// No error, no warning, and a map of finite values.
+  void ExpectMap();
+
+  vtkDataArray* OutputArray(const char* name) const;
+  /// The output's Notes, a line each.
+  std::string Notes() const;
+
+  vtkSmartPointer<vtkPolyData> Surface;
+  vtkNew<vtkIlluminationMap> Filter;
+  vtkNew<MessageCounter> Messages;
+
+private:
+  vtkSmartPointer<vtkOutputWindow> Before;
+};
+
+/// A sphere of 50 points with normals.
+vtkSmartPointer<vtkPolyData> SmallSphere();
+
+/// Every point of every array of doubles is finite.
+bool AllFinite(vtkPolyData* data);

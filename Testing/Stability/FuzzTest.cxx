@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What must hold for any scene at all, however little sense it makes. Thousands of scenes that
+// rapidcheck draws; a million with ILLUMINATION_LONG_TESTS=1. RC_PARAMS="seed=..." draws others.
+#include "RandomScene.h"
+
+#include "PhotonTransport/scene/InvalidInput.h"
+#include "TracedMap.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <string>
+
+namespace
+{
+
+using namespace PhotonTransport;
+
+/// A hit may add up to the bound times its barycentric coordinates, whose sum is 1 within 2^-24
+/// (two roundings of numbers below 1); the products round by 2^-24 each, and each of the three
+/// corners is rounded to a multiple of 2^-28.
+constexpr double WeightRounding = 0x1p-22;
+constexpr double SumRounding = 3.0 * 0x1p-28;
+
+/// How many scenes; RC_PARAMS goes before.
+const bool Configured = []
+{
+  const char* longTests = std::getenv("ILLUMINATION_LONG_TESTS");
+  const bool isLong = longTests && std::string(longTests) == "1";
+  setenv("RC_PARAMS", isLong ? "seed=5 max_success=1000000" : "seed=5 max_success=20000", 0);
+  return true;
+}();
+
+/// All sizes of scenes from the start: rapidcheck's own size begins at 0, where all choices are the
+/// first one.
+RandomScene Drawn(RandomScene (*draw)())
+{
+  return *rc::gen::resize(rc::kNominalSize, rc::gen::exec(draw)).as("scene");
+}
+
+bool AllFinite(const std::vector<double>& values)
+{
+  return std::all_of(values.begin(), values.end(),
+    [](double value) { return std::isfinite(value) && value >= 0.0; });
+}
+
+bool AllFinite(const IlluminationMap& map)
+{
+  return AllFinite(map.direct) && AllFinite(map.indirect) && AllFinite(map.standardError);
+}
+
+bool SameBits(const IlluminationMap& a, const IlluminationMap& b)
+{
+  // Equal is the same to the last bit here, as no value is NaN and none is -0.
+  return a.direct == b.direct && a.indirect == b.indirect && a.standardError == b.standardError &&
+    a.photonHits == b.photonHits;
+}
+
+double FluxOf(const IlluminationMap& map, const std::vector<double>& areas)
+{
+  double flux = 0.0;
+  for (std::size_t v = 0; v < map.direct.size(); ++v)
+  {
+    flux += areas[v] * (map.direct[v] + map.indirect[v]);
+  }
+  return flux;
+}
+
+std::uint64_t HitsOf(const IlluminationMap& map)
+{
+  return std::accumulate(map.photonHits.begin(), map.photonHits.end(), std::uint64_t{ 0 });
+}
+
+/// A scene without light or surface, or one whose numbers no longer fit.
+bool MayBeRefused(const std::string& message)
+{
+  return message == "every triangle has zero area" ||
+    message == "no facet has an exitance above 0 lm/m^2" ||
+    message.find("times the size of the surface") != std::string::npos ||
+    message.find("beyond what a number can hold") != std::string::npos;
+}
+
+/// The whole of what is promised of one run.
+void CheckRun(const RandomScene& drawn)
+{
+  const Scene scene(drawn.surface);
+  IlluminationRun run(scene, drawn.lamp, drawn.settings);
+  run.Advance({ drawn.photons });
+
+  const PhotonBalance balance = run.Balance();
+  RC_ASSERT(balance.emitted == drawn.photons);
+  RC_ASSERT(balance.emitted == balance.absorbed + balance.escaped + balance.cutOff);
+  RC_ASSERT(balance.segments >= balance.emitted);
+  RC_ASSERT(balance.segments <= balance.emitted * drawn.settings.maximumPathLength);
+
+  const bool bothSides = drawn.settings.registerBackSide;
+  const IlluminationMap front = run.Front();
+  const IlluminationMap back = bothSides ? run.Back() : IlluminationMap();
+  RC_ASSERT(AllFinite(front) && AllFinite(back));
+  RC_ASSERT(AllFinite(scene.VertexAreas()));
+  RC_ASSERT(std::isfinite(run.Rounds().back().relativeError));
+  RC_ASSERT(std::isfinite(run.Flux()) && std::isfinite(run.FluxCutByWeightBound()));
+
+  const std::uint64_t hits = balance.segments - balance.escaped;
+  RC_ASSERT(HitsOf(front) + HitsOf(back) <= 3 * hits);
+  const double arrived =
+    run.Flux() / static_cast<double>(balance.emitted) * static_cast<double>(hits);
+  const double registered = FluxOf(front, scene.VertexAreas()) + FluxOf(back, scene.VertexAreas());
+  const bool flat = drawn.settings.registration == Registration::Flat;
+  const double bound = flat ? 1.0 : double{ drawn.settings.weightBound };
+  RC_ASSERT(registered <= arrived * (bound * (1.0 + WeightRounding) + SumRounding));
+  if (bothSides)
+  {
+    RC_ASSERT(HitsOf(front) + HitsOf(back) == 3 * hits);
+    RC_ASSERT(!flat || registered >= arrived * (1.0 - WeightRounding - SumRounding));
+  }
+}
+
+/// Multiplies all lengths.
+struct Enlarge
+{
+  double factor;
+
+  template <class AnyLamp>
+  void operator()(AnyLamp&) const
+  {
+  }
+  void operator()(PointLamp& lamp) const { lamp.position *= this->factor; }
+  void operator()(LambertianPointLamp& lamp) const { lamp.position *= this->factor; }
+  void operator()(SpotLamp& lamp) const { lamp.position *= this->factor; }
+  void operator()(RectangleLamp& lamp) const
+  {
+    lamp.centre *= this->factor;
+    lamp.width *= this->factor;
+    lamp.height *= this->factor;
+  }
+  void operator()(DiskLamp& lamp) const
+  {
+    lamp.centre *= this->factor;
+    lamp.radius *= this->factor;
+  }
+};
+
+/// The same scene in a unit that is `factor` times shorter.
+RandomScene InUnits(RandomScene scene, double factor)
+{
+  for (glm::dvec3& point : scene.surface.points)
+  {
+    point *= factor;
+  }
+  scene.surface.metresPerUnit /= factor;
+  std::visit(Enlarge{ factor }, scene.lamp);
+  return scene;
+}
+
+} // namespace
+
+TEST(Fuzz, AnySceneGivesABalancedAndFiniteMap)
+{
+  std::uint64_t traced = 0;
+  std::uint64_t refused = 0;
+  rc::detail::checkGTest(
+    [&]
+    {
+      const RandomScene drawn = Drawn(DrawScene);
+      try
+      {
+        CheckRun(drawn);
+        ++traced;
+      }
+      catch (const InvalidInput& error)
+      {
+        ++refused;
+        RC_ASSERT(MayBeRefused(error.what()));
+      }
+    });
+  // What is drawn must be worth drawing.
+  EXPECT_GT(traced, 4 * refused) << refused << " scenes refused";
+}
+
+TEST(Fuzz, AMistakeIsRefusedByName)
+{
+  rc::detail::checkGTest(
+    []
+    {
+      const RandomScene drawn = Drawn(DrawSceneWithMistake);
+      try
+      {
+        CheckRun(drawn);
+        RC_FAIL("not refused");
+      }
+      catch (const InvalidInput& error)
+      {
+        RC_ASSERT(std::string(error.what()).find(drawn.mistake) != std::string::npos);
+      }
+    });
+}
+
+TEST(Fuzz, ThreadsAndUnitsDoNotChangeABit)
+{
+  rc::detail::checkGTest(
+    []
+    {
+      RandomScene drawn = Drawn(DrawScene);
+      const double factor = std::ldexp(1.0, *rc::gen::inRange(-40, 41).as("power of two"));
+      drawn.settings.threads = 1;
+      try
+      {
+        const Scene scene(drawn.surface);
+        const TracedMap one(scene, drawn.lamp, drawn.settings, drawn.photons);
+        RandomScene other = InUnits(drawn, factor);
+        other.settings.threads = 2;
+        const Scene otherScene(other.surface);
+        const TracedMap two(otherScene, other.lamp, other.settings, other.photons);
+        RC_ASSERT(SameBits(one.front, two.front) && SameBits(one.back, two.back));
+      }
+      catch (const InvalidInput& error)
+      {
+        RC_ASSERT(MayBeRefused(error.what()));
+      }
+    });
+}

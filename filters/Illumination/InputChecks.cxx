@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InputChecks.h"
+
+#include "SceneBlocks.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <array>
+#include <utility>
+
+namespace
+{
+
+void RequireConsistency(vtkCellArray* cells, const std::string& what)
+{
+  // No offset at all would mean -1 cells.
+  if (cells->GetNumberOfOffsets() < 1 || !cells->IsValid())
+  {
+    throw InputError("the " + what +
+      " contradict themselves: their offsets do not rise from 0 to " +
+      std::to_string(cells->GetNumberOfConnectivityIds()) + ", the number of their point ids");
+  }
+}
+
+/// Corners that are not where the one before them is.
+vtkIdType CornersInDifferentPlaces(vtkPolyData* data, vtkIdType size, const vtkIdType* ids)
+{
+  vtkIdType corners = 0;
+  std::array<double, 3> before{};
+  data->GetPoint(ids[size - 1], before.data());
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    std::array<double, 3> here{};
+    data->GetPoint(ids[i], here.data());
+    corners += here != before;
+    before = here;
+  }
+  return corners;
+}
+
+} // namespace
+
+void RequireValidCells(vtkPolyData* data, const std::string& block)
+{
+  const std::pair<vtkCellArray*, const char*> kinds[] = { { data->GetVerts(), "vertices" },
+    { data->GetLines(), "lines" }, { data->GetPolys(), "polygons" },
+    { data->GetStrips(), "triangle strips" } };
+  for (const auto& [cells, what] : kinds)
+  {
+    RequireConsistency(cells, what + block);
+  }
+
+  const vtkIdType points = data->GetNumberOfPoints();
+  vtkIdType cell = data->GetNumberOfVerts() + data->GetNumberOfLines();
+  for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
+  {
+    auto it = vtk::TakeSmartPointer(cells->NewIterator());
+    for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell(), ++cell)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      it->GetCurrentCell(size, ids);
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        if (ids[i] < 0 || ids[i] >= points)
+        {
+          throw InputError("cell " + std::to_string(cell) + block + " uses point " +
+            std::to_string(ids[i]) + " of " + std::to_string(points));
+        }
+      }
+    }
+  }
+}
+
+vtkDataArray* CheckedNormals(vtkPolyData* data, const std::string& block)
+{
+  vtkAbstractArray* found = data->GetPointData()->GetNormals();
+  found = found ? found : data->GetPointData()->GetAbstractArray("Normals");
+  if (!found)
+  {
+    return nullptr;
+  }
+  const std::string where =
+    "point array '" + std::string(found->GetName() ? found->GetName() : "") + "'" + block;
+  auto* normals = vtkDataArray::SafeDownCast(found);
+  if (!normals)
+  {
+    throw InputError(where + " is a " + found->GetClassName() + ", not numbers");
+  }
+  if (normals->GetNumberOfComponents() != 3)
+  {
+    throw InputError(where + " has " + std::to_string(normals->GetNumberOfComponents()) +
+      " components; normals have 3");
+  }
+  if (normals->GetNumberOfTuples() != data->GetNumberOfPoints())
+  {
+    throw InputError(where + " has " + std::to_string(normals->GetNumberOfTuples()) +
+      " values for " + std::to_string(data->GetNumberOfPoints()) + " points");
+  }
+  return normals;
+}
+
+UncutPolygons FindUncut(vtkPolyData* data, const std::vector<vtkIdType>& cellOfTriangle)
+{
+  std::vector<vtkIdType> triangles(static_cast<std::size_t>(data->GetNumberOfCells()), 0);
+  for (const vtkIdType cell : cellOfTriangle)
+  {
+    ++triangles[static_cast<std::size_t>(cell)];
+  }
+  UncutPolygons uncut;
+  vtkIdType cell = data->GetNumberOfVerts() + data->GetNumberOfLines();
+  auto it = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell(), ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    it->GetCurrentCell(size, ids);
+    const vtkIdType found = triangles[static_cast<std::size_t>(cell)];
+    // Only then the slower look, which corners that repeat the one before pass.
+    if (found < size - 2 && found < CornersInDifferentPlaces(data, size, ids) - 2)
+    {
+      uncut.first = uncut.number++ == 0 ? cell : uncut.first;
+    }
+  }
+  return uncut;
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PhotonTransport/transport/MemoryNeed.h"
+
+#include "PhotonTransport/scene/InvalidInput.h"
+
+#include <glm/vec2.hpp>
+#include <oneapi/tbb/info.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace PhotonTransport
+{
+namespace
+{
+
+// Bytes for each facet and vertex. Test: Testing/Stability/FilterMemoryTest measures.
+
+/// What Embree takes while it builds: up to 103 measured from 1000 to 2 million facets (3.13).
+constexpr std::uint64_t EmbreePerFacet = 128;
+
+/// The Surface itself, and for each facet and vertex the cell and point it comes from.
+constexpr std::uint64_t InputPerFacet =
+  sizeof(glm::uvec3) + 2 * sizeof(float) + sizeof(std::int64_t);
+constexpr std::uint64_t InputPerVertex = 2 * sizeof(glm::dvec3) + sizeof(std::int64_t);
+
+/// Records, area vectors, exitance, rings and three lists of indices (one is Embree's); the areas
+/// of a ring fill groups of four.
+constexpr std::uint64_t ScenePerFacet = sizeof(Facet) + sizeof(glm::vec3) + sizeof(float) +
+  3 * sizeof(std::uint32_t) + 3 * sizeof(glm::uvec3) + 3 * sizeof(RingAreas) / 4 +
+  2 * sizeof(glm::vec3) + 2 * sizeof(std::uint64_t);
+/// Records, areas, three lists of offsets, two lists of positions (one is Embree's).
+constexpr std::uint64_t ScenePerVertex = sizeof(Vertex) + sizeof(double) +
+  3 * sizeof(std::uint64_t) + 2 * sizeof(glm::vec3) + 3 * sizeof(RingAreas) / 4;
+
+/// A facet that shines, or the shadow of a vertex under parallel light.
+constexpr std::uint64_t LampPerFacet = 2 * sizeof(std::uint32_t) + sizeof(double);
+constexpr std::uint64_t LampPerVertex = sizeof(glm::dvec2);
+
+/// Of one side: the map (four numbers), the errors that are sorted, and what a filter makes of it
+/// (six point arrays and as many on the way to them).
+constexpr std::uint64_t MapPerVertex = (4 + 1 + 2 * 6) * sizeof(double);
+
+double GiB(std::uint64_t bytes)
+{
+  return static_cast<double>(bytes) * 0x1p-30;
+}
+
+/// The number after `key` in a file of the system; nothing if there is none.
+std::optional<std::uint64_t> NumberIn(const char* file, const std::string& key)
+{
+  std::ifstream in(file);
+  std::string word;
+  while (!key.empty() && in >> word && word != key)
+  {
+  }
+  std::uint64_t number = 0;
+  return in >> number ? std::optional(number) : std::nullopt;
+}
+
+} // namespace
+
+std::uint64_t MemoryNeed(const Surface& surface, const TraceSettings& settings)
+{
+  const std::uint64_t sides = settings.registerBackSide ? 2 : 1;
+  const auto threads = static_cast<std::uint64_t>(
+    settings.threads > 0 ? settings.threads : tbb::info::default_concurrency());
+  const std::uint64_t sumsPerVertex = (settings.replicates + threads) * sides * sizeof(VertexSums);
+  const std::uint64_t perVertex =
+    InputPerVertex + ScenePerVertex + LampPerVertex + sides * MapPerVertex + sumsPerVertex;
+  const std::uint64_t perFacet = InputPerFacet + ScenePerFacet + EmbreePerFacet + LampPerFacet;
+  return surface.points.size() * perVertex + surface.facets.size() * perFacet;
+}
+
+std::optional<std::uint64_t> AvailableMemory()
+{
+  std::optional<std::uint64_t> available = NumberIn("/proc/meminfo", "MemAvailable:");
+  if (!available)
+  {
+    return std::nullopt;
+  }
+  *available *= 1024; // given in KiB
+  struct Group
+  {
+    const char *limit, *used;
+  };
+  for (const Group& group : { Group{ "/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory.current" },
+         Group{ "/sys/fs/cgroup/memory/memory.limit_in_bytes",
+           "/sys/fs/cgroup/memory/memory.usage_in_bytes" } })
+  {
+    const auto limit = NumberIn(group.limit, ""); // "max" is no number and no limit
+    const auto used = NumberIn(group.used, "");
+    if (limit && used)
+    {
+      available = std::min(*available, *limit - std::min(*limit, *used));
+    }
+  }
+  return available;
+}
+
+void RequireMemory(std::uint64_t need, std::uint64_t limit)
+{
+  const std::optional<std::uint64_t> most = limit > 0 ? std::optional(limit) : AvailableMemory();
+  if (most && need > *most)
+  {
+    std::ostringstream message;
+    message.precision(3);
+    message << "the run needs up to " << GiB(need) << " GiB of memory, and "
+            << (limit > 0 ? "its limit is " : "the machine has ") << GiB(*most) << " GiB"
+            << (limit > 0 ? "" : " available");
+    throw InvalidInput(InvalidInput::Where::TraceSettings, 0, message.str());
+  }
+}
+
+} // namespace PhotonTransport
