@@ -2,6 +2,7 @@
 #include "CoreSettings.h"
 
 #include "vtkIlluminationMap.h"
+#include "vtkIlluminationMapSmoothing.h"
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -28,14 +29,13 @@ Unsigned Count(Signed value, const char* what)
   return static_cast<Unsigned>(value);
 }
 
-/// ParaView's lists of arrays send the word "None" for no array.
+} // namespace
+
 std::string ArrayName(const char* name)
 {
   const std::string given = name ? name : "";
   return given == "None" ? "" : given;
 }
-
-} // namespace
 
 PhotonTransport::Lamp LampOf(vtkIlluminationMap* filter)
 {
@@ -121,4 +121,20 @@ SurfaceDescription DescriptionOf(vtkIlluminationMap* filter)
     throw InputError("FeatureAngle is nan; it must be within [0, 180] degrees");
   }
   return description;
+}
+
+PhotonTransport::FiltrationSettings SettingsOf(vtkIlluminationMapSmoothing* filter)
+{
+  const double angle = filter->GetFeatureAngle();
+  if (!(angle >= 0.0 && angle <= 180.0))
+  {
+    throw InputError(
+      "FeatureAngle is " + std::to_string(angle) + "; it must be within [0, 180] degrees");
+  }
+  PhotonTransport::FiltrationSettings settings;
+  settings.method = static_cast<PhotonTransport::FiltrationMethod>(filter->GetMethod());
+  settings.strength = filter->GetStrength();
+  settings.width = filter->GetWidth();
+  settings.threads = filter->GetNumberOfThreads();
+  return settings;
 }

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The filter's properties in the core's terms.
+// The filters' properties in the core's terms.
 #ifndef CoreSettings_h
 #define CoreSettings_h
 
 #include "SceneBlocks.h"
 
+#include "PhotonTransport/filtration/Filtration.h"
 #include "PhotonTransport/lights/Lamp.h"
 #include "PhotonTransport/transport/IlluminationRun.h"
 
 class vtkIlluminationMap;
+class vtkIlluminationMapSmoothing;
 
 PhotonTransport::Lamp LampOf(vtkIlluminationMap* filter);
 PhotonTransport::TraceSettings SettingsOf(vtkIlluminationMap* filter);
@@ -19,5 +21,11 @@ std::uint64_t MemoryLimitOf(vtkIlluminationMap* filter);
 
 /// Throws InputError if the lamp needs an array and none is named.
 SurfaceDescription DescriptionOf(vtkIlluminationMap* filter);
+
+/// Throws InputError for an angle out of range.
+PhotonTransport::FiltrationSettings SettingsOf(vtkIlluminationMapSmoothing* filter);
+
+/// ParaView's lists of arrays send the word "None" for no array.
+std::string ArrayName(const char* name);
 
 #endif

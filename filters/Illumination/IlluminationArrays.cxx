@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IlluminationArrays.h"
 
+#include "FieldArrays.h"
 #include "SceneBlocks.h"
 
 #include "PhotonTransport/scene/Scene.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -23,6 +19,7 @@ namespace
 {
 
 using PhotonTransport::Accuracy;
+using PhotonTransport::GroupValues;
 using PhotonTransport::IlluminationMap;
 using PhotonTransport::IlluminationRun;
 using PhotonTransport::StopReason;
@@ -65,6 +62,20 @@ public:
     return mean;
   }
 
+  std::vector<GroupValues> Mean(const std::vector<GroupValues>& values) const
+  {
+    std::vector<GroupValues> mean(this->Areas.size(), GroupValues{});
+    this->ForEach(
+      [&](std::size_t vertex, std::size_t point)
+      {
+        for (std::size_t g = 0; g < mean[point].size() && this->Areas[point] > 0.0; ++g)
+        {
+          mean[point][g] += values[vertex][g] * (this->VertexAreas[vertex] / this->Areas[point]);
+        }
+      });
+    return mean;
+  }
+
   /// Standard error of Mean(), as if the vertices of a point had independent noise.
   std::vector<double> MeanError(const std::vector<double>& errors) const
   {
@@ -86,37 +97,6 @@ private:
   const std::vector<double>& VertexAreas;
   std::vector<double> Areas;
 };
-
-template <typename Array, typename Value>
-void AddNumbers(vtkFieldData* data, const char* name, const std::vector<Value>& values)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  data->AddArray(array);
-}
-
-void AddArray(vtkFieldData* data, const char* name, const std::vector<double>& values)
-{
-  AddNumbers<vtkDoubleArray>(data, name, values);
-}
-
-void AddArray(vtkFieldData* data, const char* name, const std::vector<std::uint64_t>& values)
-{
-  AddNumbers<vtkIdTypeArray>(data, name, values);
-}
-
-void AddArray(vtkFieldData* data, const char* name, const std::vector<std::string>& lines)
-{
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  for (const std::string& line : lines)
-  {
-    array->InsertNextValue(line);
-  }
-  data->AddArray(array);
-}
 
 std::vector<double> Sum(const std::vector<double>& a, const std::vector<double>& b)
 {
@@ -193,6 +173,23 @@ void AddPointArrays(const SceneBlocks& blocks, const PhotonTransport::Scene& sce
     {
       AddBack(block.data->GetPointData(), mapping, back);
     }
+  }
+}
+
+void AddGroupMeans(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
+  const PhotonTransport::IlluminationRun& run)
+{
+  const PhotonTransport::GroupMeans groups = run.FrontByGroups();
+  if (groups.direct.empty())
+  {
+    return; // ended before each group had a photon
+  }
+  for (const SceneBlock& block : blocks.Blocks())
+  {
+    const PointMapping mapping(block, scene.VertexAreas(), block.data->GetNumberOfPoints());
+    AddArray(block.data->GetPointData(), "IlluminanceDirectGroups", mapping.Mean(groups.direct));
+    AddArray(
+      block.data->GetPointData(), "IlluminanceIndirectGroups", mapping.Mean(groups.indirect));
   }
 }
 

@@ -15,6 +15,10 @@ class vtkTable;
 void AddPointArrays(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
   const PhotonTransport::IlluminationRun& run, bool backSide);
 
+/// Adds what the smoothing of the map works best with.
+void AddGroupMeans(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
+  const PhotonTransport::IlluminationRun& run);
+
 /// Adds what concerns the run as a whole: photon balance, time, effects, notes.
 void AddFieldData(vtkFieldData* output, const PhotonTransport::IlluminationRun& run,
   PhotonTransport::StopReason reason, const std::vector<std::string>& notes);

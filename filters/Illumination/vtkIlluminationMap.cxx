@@ -3,8 +3,8 @@
 
 #include "CoreSettings.h"
 #include "IlluminationArrays.h"
+#include "Pipeline.h"
 #include "SceneBlocks.h"
-#include "VtkVersion.h"
 
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/scene/Scene.h"
@@ -49,35 +49,6 @@ std::string Message(const InvalidInput& error, const SceneBlocks& blocks)
   }
 }
 
-/// Passes progress on, but not more often than a person can see.
-class ProgressReport
-{
-public:
-  explicit ProgressReport(vtkAlgorithm* algorithm)
-    : Algorithm(algorithm)
-  {
-  }
-
-  /// Returns false once the user wants to stop.
-  bool operator()(const PhotonTransport::RunProgress& progress)
-  {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - this->Last >= std::chrono::milliseconds(50))
-    {
-      this->Last = now;
-      const std::string text =
-        "Tracing photons, " + std::to_string(std::lround(progress.secondsLeft)) + " s left";
-      this->Algorithm->SetProgressText(text.c_str());
-      this->Algorithm->UpdateProgress(progress.fraction);
-    }
-    return !AbortRequested(this->Algorithm);
-  }
-
-private:
-  vtkAlgorithm* Algorithm;
-  std::chrono::steady_clock::time_point Last = std::chrono::steady_clock::now();
-};
-
 /// Identity of a data object: a time stamp that no other state of any object has.
 vtkMTimeType LatestChange(vtkDataObject* data)
 {
@@ -91,27 +62,6 @@ vtkMTimeType LatestChange(vtkDataObject* data)
     }
   }
   return latest;
-}
-
-/// Makes the output refer to the input's data, block by block: arrays added to it stay its own.
-void PassThrough(vtkDataObject* input, vtkDataObject* output)
-{
-  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite)
-  {
-    output->ShallowCopy(input);
-    return;
-  }
-  auto* result = vtkCompositeDataSet::SafeDownCast(output);
-  result->CopyStructure(composite);
-  result->GetFieldData()->PassData(composite->GetFieldData());
-  auto it = vtk::TakeSmartPointer(composite->NewIterator());
-  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-  {
-    auto block = vtk::TakeSmartPointer(it->GetCurrentDataObject()->NewInstance());
-    block->ShallowCopy(it->GetCurrentDataObject());
-    result->SetDataSet(it, block);
-  }
 }
 
 } // namespace
@@ -174,10 +124,7 @@ std::string vtkIlluminationMap::WhatShapesTheMap(vtkDataObject* input)
 
 int vtkIlluminationMap::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Taking composite data itself keeps the pipeline from running the filter block by block: all
-  // blocks shade each other and light each other.
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  RequireSurfaces(info);
   return 1;
 }
 
@@ -194,19 +141,12 @@ int vtkIlluminationMap::ProcessRequest(
   {
     return this->Superclass::ProcessRequest(request, input, output);
   }
-  vtkDataObject* in = vtkDataObject::GetData(input[0]);
-  vtkDataObject* out = vtkDataObject::GetData(output);
-  if (in && (!out || out->GetDataObjectType() != in->GetDataObjectType()))
-  {
-    auto fresh = vtk::TakeSmartPointer(in->NewInstance());
-    output->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), fresh);
-  }
   if (!vtkTable::GetData(output, 1))
   {
     vtkNew<vtkTable> table;
     output->GetInformationObject(1)->Set(vtkDataObject::DATA_OBJECT(), table);
   }
-  return in ? 1 : 0;
+  return MakeOutputLikeInput(input, output) ? 1 : 0;
 }
 
 int vtkIlluminationMap::RequestData(
@@ -258,9 +198,18 @@ void vtkIlluminationMap::Trace(vtkDataObject* input, vtkDataObject* output, vtkT
       this->Kept = std::make_unique<KeptRun>(this, blocks, shape);
     }
     PhotonTransport::IlluminationRun& run = this->Kept->Run;
-    const PhotonTransport::StopReason reason = run.Advance(rules, ProgressReport(this));
+    const PhotonTransport::StopReason reason = run.Advance(rules,
+      [report = ProgressReport(this)](const PhotonTransport::RunProgress& progress) mutable
+      {
+        return report(progress.fraction,
+          "Tracing photons, " + std::to_string(std::lround(progress.secondsLeft)) + " s left");
+      });
 
     AddPointArrays(blocks, this->Kept->Scene, run, this->RegisterBackSide);
+    if (this->GroupMeans)
+    {
+      AddGroupMeans(blocks, this->Kept->Scene, run);
+    }
     AddFieldData(output->GetFieldData(), run, reason, NotesOn(blocks, this->Kept->Scene));
     AddMemoryNeeded(output->GetFieldData(), need);
     FillAccuracyTable(accuracy, run.Rounds());
@@ -295,6 +244,7 @@ void vtkIlluminationMap::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Sampling: " << this->Sampling << "\n"
      << indent << "Interreflection: " << this->Interreflection << "\n"
      << indent << "RegisterBackSide: " << this->RegisterBackSide << "\n"
+     << indent << "GroupMeans: " << this->GroupMeans << "\n"
      << indent << "MetresPerUnit: " << this->MetresPerUnit << "\n"
      << indent << "FeatureAngle: " << this->FeatureAngle << "\n"
      << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n"

@@ -249,6 +249,17 @@ public:
 
   ///@{
   /**
+   * Whether vtkIlluminationMapSmoothing gets what it works best with: the maps as means over each
+   * of four groups of photons, IlluminanceDirectGroups and IlluminanceIndirectGroups (lx, 4
+   * components). Costs no tracing, but 64 bytes a point. Default: off.
+   */
+  vtkSetMacro(GroupMeans, bool);
+  vtkGetMacro(GroupMeans, bool);
+  vtkBooleanMacro(GroupMeans, bool);
+  ///@}
+
+  ///@{
+  /**
    * Metres that the data's length unit is long, > 0: 0.001 for a model in millimetres. Default: 1.
    */
   vtkSetMacro(MetresPerUnit, double);
@@ -333,6 +344,7 @@ protected:
   int Sampling = SOBOL;
   bool Interreflection = true;
   bool RegisterBackSide = false;
+  bool GroupMeans = false;
   double MetresPerUnit = 1.0;
   double FeatureAngle = 30.0;
   int NumberOfThreads = 0;

@@ -6,6 +6,10 @@
 #include "PhotonTransport/filtration/Parallel.h"
 #include "PhotonTransport/filtration/ScaleSelection.h"
 #include "PhotonTransport/scene/InvalidInput.h"
+#include "PhotonTransport/transport/TraceSettings.h"
+
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,30 +34,30 @@ void RequireWithin(const char* name, double value, double most)
   }
 }
 
-void RequireFinite(const char* name, const Values& values)
+void RequireFinite(const std::string& name, const Values& values)
 {
   for (std::size_t v = 0; v < values.size(); ++v)
   {
     if (!(values[v] >= 0.0) || !std::isfinite(values[v]))
     {
       throw InvalidInput(InvalidInput::Where::Point, v,
-        std::string("its ") + name + " is " + std::to_string(values[v]) +
-          " lx; it must be a finite number >= 0");
+        name + " is " + std::to_string(values[v]) + "; it must be a finite number >= 0");
     }
   }
 }
 
 void RequireFinite(const NoisyMap& part)
 {
-  RequireFinite("illuminance", part.values);
-  RequireFinite("standard error", part.standardError);
+  RequireFinite(part.name, part.values);
+  RequireFinite("the standard error of " + part.name, part.standardError);
   for (std::size_t v = 0; v < part.groups.size(); ++v)
   {
     for (const double value : part.groups[v])
     {
       if (!std::isfinite(value))
       {
-        throw InvalidInput(InvalidInput::Where::Point, v, "a group mean there is not finite");
+        throw InvalidInput(
+          InvalidInput::Where::Point, v, "a group mean of " + part.name + " is not finite");
       }
     }
   }
@@ -170,6 +174,23 @@ Selection SmoothEvenly(const SmoothingGraph& graph, const GroupColumns& map, dou
   return selection;
 }
 
+/// The share of all the work from the shares of the filters that are applied one after the other.
+FiltrationMonitor ShareOfAll(
+  const std::vector<NoisyMap>& parts, FiltrationMethod method, const FiltrationMonitor& monitor)
+{
+  double filters = 1.0; // for the importance
+  for (const NoisyMap& part : parts)
+  {
+    filters += method == FiltrationMethod::Adaptive ? 6.0 : 2.0;
+    filters += part.groups.empty() && part.standardError.empty() ? 2.0 : 0.0;
+  }
+  return [filters, monitor, begun = 0.0](double share) mutable
+  {
+    begun += share == 0.0 ? 1.0 : 0.0;
+    monitor(std::min(1.0, (begun - 1.0 + share) / filters));
+  };
+}
+
 Selection Unchanged(const GroupColumns& map)
 {
   return { map, Values(map.size(), 0.0), std::vector<float>(map.size(), 0.0f) };
@@ -181,13 +202,21 @@ void Validate(const FiltrationSettings& settings)
 {
   RequireWithin("strength", settings.strength, 10.0);
   RequireWithin("width", settings.width, 50.0);
+  RequireWithin("number of threads", settings.threads, MostThreads);
+}
+
+void OnThreads(int threads, const std::function<void()>& work)
+{
+  tbb::task_arena arena(threads > 0 ? threads : tbb::info::default_concurrency());
+  arena.execute(work);
 }
 
 std::vector<FilteredMap> Filtrate(const SmoothingGraph& graph, const std::vector<NoisyMap>& parts,
   const std::vector<double>& hits, const FiltrationSettings& settings,
-  const FiltrationMonitor& monitor)
+  const FiltrationMonitor& caller)
 {
   Validate(settings);
+  const FiltrationMonitor monitor = ShareOfAll(parts, settings.method, caller);
   std::for_each(parts.begin(), parts.end(), [](const NoisyMap& part) { RequireFinite(part); });
   const Values total = SumOf(parts);
   const std::vector<float> importance = Importance(graph, total, monitor);

@@ -5,6 +5,8 @@
 #include "PhotonTransport/statistics/GroupMeans.h"
 
 #include <cstddef>
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace PhotonTransport
@@ -22,14 +24,19 @@ struct FiltrationSettings
   FiltrationMethod method = FiltrationMethod::Adaptive;
   double strength = 1.0; ///< Adaptive: 1 is the estimated optimum, [0, 10].
   double width = 4.0;    ///< Diffusion: standard deviation in vertex distances, [0, 50].
+  int threads = 0;       ///< For OnThreads, [0, MostThreads]; 0: all there are.
 };
 
 /// Throws InvalidInput that names the setting.
 void Validate(const FiltrationSettings& settings);
 
+/// Runs some work, such as Filtrate, on so many threads. @param threads 0: all there are.
+void OnThreads(int threads, const std::function<void()>& work);
+
 /// A part of the light (direct, indirect, or all of it) and what is known of its noise.
 struct NoisyMap
 {
+  std::string name;                  ///< For messages, such as "IlluminanceDirect".
   std::vector<double> values;        ///< [vertex] lx, finite, >= 0.
   std::vector<GroupValues> groups;   ///< [vertex] See GroupMeans; or empty.
   std::vector<double> standardError; ///< [vertex] lx, finite, >= 0; or empty. Used without groups.
@@ -45,9 +52,9 @@ struct FilteredMap
 /// Smooths the parts of one illumination map (B. Barladian, "Indirect illumination on curve
 /// surfaces", "filtration") across the smooth patches of its surface. A part that is certainly
 /// zero in places (see FindDarkRegions) stays so there. The time is linear in the vertices, and
-/// the result has the same bits for any number of threads of the caller's arena.
+/// the result has the same bits for any number of threads.
 /// Throws InvalidInput for settings or values out of range. @param hits [vertex] Photons on the
-/// facets around, of all parts together; or empty.
+/// facets around, of all parts together; or empty. @param monitor Told the share of all the work.
 std::vector<FilteredMap> Filtrate(const SmoothingGraph& graph, const std::vector<NoisyMap>& parts,
   const std::vector<double>& hits, const FiltrationSettings& settings,
   const FiltrationMonitor& monitor);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
+#include "PhotonTransport/transport/ParallelFor.h"
 
 #include <cstddef>
 
@@ -13,9 +12,8 @@ namespace PhotonTransport
 template <typename Body>
 void ForRanges(std::size_t count, const Body& body)
 {
-  constexpr std::size_t Grain = 2048;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, Grain),
-    [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
+  ParallelFor(0, count,
+    [&](const tbb::blocked_range<std::uint64_t>& range) { body(range.begin(), range.end()); });
 }
 
 /// Calls body(i) for i in [0, count).

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIlluminationMapSmoothing.h"
+
+#include "CoreSettings.h"
+#include "FieldArrays.h"
+#include "MapBlocks.h"
+#include "Pipeline.h"
+
+#include "PhotonTransport/filtration/Filtration.h"
+#include "PhotonTransport/scene/InvalidInput.h"
+
+#include "vtkDataObject.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+vtkStandardNewMacro(vtkIlluminationMapSmoothing);
+
+namespace
+{
+
+using PhotonTransport::FilteredMap;
+using PhotonTransport::NoisyMap;
+
+/// The user has asked to stop.
+struct Aborted
+{
+};
+
+/// What is smoothed, and what is known of its noise.
+struct Maps
+{
+  std::vector<NoisyMap> parts;
+  std::vector<double> hits;
+  std::string note; ///< Where the knowledge of the noise comes from.
+};
+
+Maps ReadMaps(const MapBlocks& blocks, const std::string& map, const std::string& standardError)
+{
+  Maps maps;
+  if (map == "Illuminance" && blocks.Have("PhotonHits"))
+  {
+    maps.hits = blocks.Values("PhotonHits");
+  }
+  const std::string direct = map + "Direct";
+  const std::string indirect = map + "Indirect";
+  if (blocks.Have(direct + "Groups") && blocks.Have(indirect + "Groups"))
+  {
+    for (const std::string& part : { direct, indirect })
+    {
+      maps.parts.push_back({ part, blocks.Values(part), blocks.Groups(part + "Groups"), {} });
+    }
+    maps.note = "direct and indirect light by the differences between four groups of photons";
+    return maps;
+  }
+  maps.parts.push_back({ map, blocks.Values(map), {}, {} });
+  if (!standardError.empty() && blocks.Have(standardError))
+  {
+    maps.parts.front().standardError = blocks.Values(standardError);
+    maps.note = "by the array '" + standardError +
+      "'; GroupMeans of Illumination Map, switched on, would give a better result";
+  }
+  else
+  {
+    maps.note = "by the map's roughness, which takes fine detail for noise: there are no group "
+                "means and no array of standard errors";
+  }
+  return maps;
+}
+
+void AddMaps(const MapBlocks& blocks, const std::string& name, const Maps& maps,
+  const std::vector<FilteredMap>& filtered)
+{
+  const auto add = [&](const std::string& array, const auto& values)
+  {
+    blocks.ForEachPart(values,
+      [&](const MapBlocks::Block& block, const auto& own)
+      { AddArray(block.data->GetPointData(), array.c_str(), own); });
+  };
+  std::vector<double> total(filtered.front().values.size(), 0.0);
+  std::vector<double> error(total.size(), 0.0);
+  for (const FilteredMap& part : filtered)
+  {
+    for (std::size_t p = 0; p < total.size(); ++p)
+    {
+      total[p] += part.values[p];
+      error[p] = std::hypot(error[p], std::sqrt(part.squaredError[p]));
+    }
+  }
+  add(name + "Smoothed", total);
+  add("StandardErrorSmoothed", error);
+  if (filtered.size() == 1)
+  {
+    add("SmoothingScale", filtered.front().width);
+    return;
+  }
+  std::vector<std::array<double, 2>> widths(total.size());
+  for (std::size_t p = 0; p < widths.size(); ++p)
+  {
+    widths[p] = { filtered[0].width[p], filtered[1].width[p] };
+  }
+  add("SmoothingScale", widths);
+  for (std::size_t i = 0; i < filtered.size(); ++i)
+  {
+    add(maps.parts[i].name + "Smoothed", filtered[i].values);
+  }
+}
+
+} // namespace
+
+int vtkIlluminationMapSmoothing::FillInputPortInformation(int, vtkInformation* info)
+{
+  RequireSurfaces(info);
+  return 1;
+}
+
+int vtkIlluminationMapSmoothing::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+int vtkIlluminationMapSmoothing::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return MakeOutputLikeInput(input, output) ? 1 : 0;
+  }
+  return this->Superclass::ProcessRequest(request, input, output);
+}
+
+int vtkIlluminationMapSmoothing::RequestData(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  // An observer may disconnect the input.
+  const vtkSmartPointer<vtkDataObject> in = vtkDataObject::GetData(input[0]);
+  vtkDataObject* out = vtkDataObject::GetData(output);
+  PassThrough(in, out);
+  try
+  {
+    this->Smooth(out);
+  }
+  catch (const Aborted&)
+  {
+    // The input passes through.
+  }
+  catch (const std::bad_alloc&)
+  {
+    PassThrough(in, out);
+    vtkErrorMacro("out of memory for an input of " << out->GetActualMemorySize() << " KiB");
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+  }
+  return 1; // as vtkIlluminationMap does: an error is said once
+}
+
+void vtkIlluminationMapSmoothing::Smooth(vtkDataObject* output)
+{
+  const PhotonTransport::FiltrationSettings settings = SettingsOf(this);
+  Validate(settings);
+  const MapBlocks blocks(output);
+  const Maps maps =
+    ReadMaps(blocks, this->IlluminanceArray, ArrayName(this->StandardErrorArray.c_str()));
+  try
+  {
+    std::vector<FilteredMap> filtered;
+    PhotonTransport::OnThreads(settings.threads,
+      [&]
+      {
+        const PhotonTransport::SmoothingGraph graph(
+          blocks.Points(), blocks.Facets(), vtkMath::RadiansFromDegrees(this->FeatureAngle));
+        filtered = Filtrate(graph, maps.parts, maps.hits, settings,
+          [report = ProgressReport(this)](double share) mutable
+          {
+            if (!report(share, "Smoothing"))
+            {
+              throw Aborted();
+            }
+          });
+      });
+    AddMaps(blocks, this->IlluminanceArray, maps, filtered);
+    const std::vector<std::string> notes{ "smoothed " + maps.note };
+    AddArray(output->GetFieldData(), "SmoothingNotes", notes);
+  }
+  catch (const PhotonTransport::InvalidInput& error)
+  {
+    const bool atPoint = error.Kind == PhotonTransport::InvalidInput::Where::Point;
+    throw InputError((atPoint ? blocks.NameOfPoint(error.Index) + ": " : "") + error.what());
+  }
+}
+
+void vtkIlluminationMapSmoothing::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->Method << "\n"
+     << indent << "IlluminanceArray: " << this->IlluminanceArray << "\n"
+     << indent << "StandardErrorArray: " << this->StandardErrorArray << "\n"
+     << indent << "Strength: " << this->Strength << "\n"
+     << indent << "Width: " << this->Width << "\n"
+     << indent << "FeatureAngle: " << this->FeatureAngle << "\n"
+     << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+}

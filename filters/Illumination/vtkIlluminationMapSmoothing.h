@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkIlluminationMapSmoothing
+ * @brief   removes photon noise from an illumination map without blurring its shadows
+ *
+ * The filtration of B. Barladian, "Indirect illumination on curve surfaces". By default each point
+ * gets a smoothing width of its own: the one with the least expected error, noise and blur
+ * together, which the differences between independent estimates of the map tell. Light spreads
+ * along the surface as heat would, never across creases, rims, non-manifold edges or into regions
+ * that light certainly does not reach. The flux (sum of illuminance times area) of every smooth
+ * patch is conserved, and no value falls below 0.
+ *
+ * The input is the output of vtkIlluminationMap, one vtkPolyData or a composite data set. With
+ * GroupMeans on there, direct and indirect light are smoothed each by its own noise, which is
+ * best. Without, the whole map is smoothed with noise that is like its StandardError; without that
+ * too, noise is guessed from the map's roughness, which takes fine detail for noise. The field
+ * array SmoothingNotes says which it was.
+ *
+ * The output is the input, untouched, with these point arrays, after the name of IlluminanceArray:
+ *  - IlluminanceSmoothed (lx); IlluminanceDirectSmoothed and IlluminanceIndirectSmoothed (lx),
+ *    which add up to it, where the parts were smoothed.
+ *  - StandardErrorSmoothed (lx): expected error of IlluminanceSmoothed, remaining noise and blur.
+ *  - SmoothingScale: standard deviation of the kernel at the point, in distances between points; 0
+ *    where the map is as it was. Two components, direct and indirect, where both were smoothed.
+ *
+ * The result has the same bits for any NumberOfThreads. Bad input gives one error that names the
+ * array, the point and the value, and the input passes through without the arrays.
+ */
+
+#ifndef vtkIlluminationMapSmoothing_h
+#define vtkIlluminationMapSmoothing_h
+
+#include "vtkIlluminationModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <string> // for array names
+
+class VTKILLUMINATION_EXPORT vtkIlluminationMapSmoothing : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkIlluminationMapSmoothing* New();
+  vtkTypeMacro(vtkIlluminationMapSmoothing, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Methods
+  {
+    NONE = 0,      ///< The map as it is.
+    DIFFUSION = 1, ///< One width everywhere, shadows or not; to compare with.
+    ADAPTIVE = 2   ///< Each point the width that suits its noise.
+  };
+
+  ///@{
+  /**
+   * How to smooth, see Methods. Default: ADAPTIVE.
+   */
+  vtkSetClampMacro(Method, int, NONE, ADAPTIVE);
+  vtkGetMacro(Method, int);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array to smooth: one component, lx, >= 0. Default: Illuminance.
+   */
+  vtkSetStdStringFromCharMacro(IlluminanceArray);
+  vtkGetCharFromStdStringMacro(IlluminanceArray);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array with its standard error, lx, >= 0, for input without group means; an
+   * input without that array is smoothed by its roughness, as with no name (empty, or "None").
+   * Default: StandardError.
+   */
+  vtkSetStdStringFromCharMacro(StandardErrorArray);
+  vtkGetCharFromStdStringMacro(StandardErrorArray);
+  ///@}
+
+  ///@{
+  /**
+   * How much noise counts against blur for ADAPTIVE, [0, 10]: 1 is the estimated optimum, 0 keeps
+   * the map, more smooths more. Default: 1.
+   */
+  vtkSetMacro(Strength, double);
+  vtkGetMacro(Strength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Standard deviation of DIFFUSION's kernel, in distances between points, [0, 50]. Default: 4.
+   */
+  vtkSetMacro(Width, double);
+  vtkGetMacro(Width, double);
+  ///@}
+
+  ///@{
+  /**
+   * Facets that meet at a greater angle than this, degrees, [0, 180], meet at a crease, which
+   * light does not cross. Default: 40.
+   */
+  vtkSetMacro(FeatureAngle, double);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Threads to smooth with, 0 to 1024; 0 means all cores. The result does not depend on it.
+   * Default: 0.
+   */
+  vtkSetMacro(NumberOfThreads, int);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+protected:
+  vtkIlluminationMapSmoothing() = default;
+  ~vtkIlluminationMapSmoothing() override = default;
+
+  int ProcessRequest(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+  int Method = ADAPTIVE;
+  std::string IlluminanceArray = "Illuminance";
+  std::string StandardErrorArray = "StandardError";
+  double Strength = 1.0;
+  double Width = 4.0;
+  double FeatureAngle = 40.0;
+  int NumberOfThreads = 0;
+
+private:
+  vtkIlluminationMapSmoothing(const vtkIlluminationMapSmoothing&) = delete;
+  void operator=(const vtkIlluminationMapSmoothing&) = delete;
+
+  void Smooth(vtkDataObject* output);
+};
+
+#endif
