@@ -24,6 +24,7 @@ NOT_DEFAULT = {
     "ReflectanceArray": "Colour",
     "Interreflection": (0, False),
     "RegisterBackSide": (1, True),
+    "GroupMeans": (1, True),
     "MetresPerUnit": 0.001,
     "FeatureAngle": 60.0,
     "Photons": 2000000000,
