@@ -26,4 +26,5 @@ fi
 draw "$examples/cylinder_and_sphere/cylinder_and_sphere.py" "$output"
 draw "$examples/reflecting_disk/reflecting_disk.py" "$output"
 draw "$examples/cabin/cabin.py" "$output"
+draw "$examples/filtration/filtration.py" "$output"
 printf '\nPictures and tables are in %s\n' "$output"

@@ -67,6 +67,19 @@ def illuminate(surface, **properties):
     return IlluminationMap(result, facts_of(result))
 
 
+def smooth(surface, **properties):
+    """An illuminated vtkPolyData with the arrays of IlluminationMapSmoothing, whose properties these are."""
+    source = as_source(surface)
+    proxy = simple.IlluminationMapSmoothing(Input=source, **properties)
+    proxy.UpdatePipeline()
+    result = servermanager.Fetch(proxy)
+    simple.Delete(proxy)
+    simple.Delete(source)
+    if result.GetPointData().GetArray("StandardErrorSmoothed") is None:
+        raise RuntimeError("IlluminationMapSmoothing has failed; its message is above")
+    return result
+
+
 def illuminance_of_seeds(surface, seeds, array="Illuminance", **properties):
     """Illuminance (lx) by independent runs: one row a seed, one column a point."""
     return np.array([illuminate(surface, Seed=seed, **properties).array(array) for seed in seeds])

@@ -9,8 +9,8 @@ namespace PhotonTransport
 {
 
 // What stands in for the groups where they are not known: noise is drawn that is like photon noise,
-// so that the selection of widths can measure what each width leaves of it. Weaker than the
-// groups, which know the noise of this very map and how it is correlated.
+// so that the selection of widths can measure what each width leaves of it. Groups are better: they
+// know direct and indirect light apart, and noise that is correlated otherwise.
 
 /// Four estimates with the values as their mean that differ by noise of a given standard error,
 /// correlated between neighbours as hits are that three vertices share.

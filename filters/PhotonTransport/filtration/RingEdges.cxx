@@ -116,15 +116,17 @@ bool RingEdges::IsCrease(const Side* first, const Side* last) const
 
 RingEdge RingEdges::MakeEdge(const Side* first, const Side* last) const
 {
-  // The small and negative weights of obtuse triangles would let noise stand or make it grow.
-  constexpr float LeastWeight = 0.02f;
+  // Obtuse triangles have small and negative weights, which would let noise stand or make it grow;
+  // the large ones of needles would let light spread along the needles' short sides alone.
+  constexpr float LeastWeight = 0.2f;
+  constexpr float MostWeight = 1.0f;
   float weight = 0.0f;
   for (const Side* side = first; side != last; ++side)
   {
     weight += 0.5f * side->cotangent;
   }
-  return { first->neighbour, std::max(weight, LeastWeight), this->IsCrease(first, last),
-    last - first == 1 };
+  return { first->neighbour, std::clamp(weight, LeastWeight, MostWeight),
+    this->IsCrease(first, last), last - first == 1 };
 }
 
 void RingEdges::At(std::uint32_t vertex, std::vector<RingEdge>& edges) const

@@ -15,7 +15,7 @@ namespace PhotonTransport
 struct RingEdge
 {
   std::uint32_t neighbour;
-  float weight; ///< Half the sum of the cotangents opposite the edge, [0.02, inf).
+  float weight; ///< Half the sum of the cotangents opposite the edge, within [0.2, 1].
   bool crease;  ///< Folded sharply, or on more than two facets.
   bool rim;     ///< On one facet.
 };
