@@ -154,10 +154,6 @@ TEST_F(FilterMemory, MoreThanTheMachineHasIsRefused)
 
 TEST_F(FilterMemory, DoesNotGrowOverAThousandExecutions)
 {
-  if (!MeasuresMemory)
-  {
-    GTEST_SKIP() << "not with the address sanitizer";
-  }
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(32);
   sphere->SetPhiResolution(32);
@@ -174,6 +170,11 @@ TEST_F(FilterMemory, DoesNotGrowOverAThousandExecutions)
       this->Filter->Update();
     }
   };
+  if (!MeasuresMemory)
+  {
+    execute(20); // the sanitizer itself looks for leaks when the process ends
+    return;
+  }
   execute(100); // caches fill, the heap finds its size
   GiveBack();
   const double before = Status("VmRSS:");
