@@ -29,6 +29,11 @@ struct Sheets
 class FilterSheets : public FilterTest
 {
 protected:
+  FilterSheets()
+    : FilterTest("walls drawn once for each side: light on the wrong sheet")
+  {
+  }
+
   static constexpr double Slope = 0.5;
 
   /// Two sheets over the unit square at height 0.5 x, fronts up and down.
