@@ -25,6 +25,12 @@ constexpr double NoNumber = std::numeric_limits<double>::quiet_NaN();
 class FilterInput : public FilterTest
 {
 protected:
+  FilterInput()
+    : FilterTest(
+        "input that is empty, contradicts itself or is no number: a crash, or a silent guess")
+  {
+  }
+
   /// The sphere again, and with it a map.
   void ExpectRecovery()
   {

@@ -35,6 +35,11 @@ public:
 class FilterLife : public FilterTest
 {
 protected:
+  FilterLife()
+    : FilterTest("an abort or a deletion at any stage: a hang, a crash, a map of nothing")
+  {
+  }
+
   void SetUp() override
   {
     this->FilterTest::SetUp();

@@ -10,6 +10,7 @@
 #include "vtkSphereSource.h"
 #include "vtkVariant.h"
 
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -57,6 +58,11 @@ void GiveBack()
 class FilterMemory : public FilterTest
 {
 protected:
+  FilterMemory()
+    : FilterTest("a run that the system ends for want of memory; memory that is not given back")
+  {
+  }
+
   void SetUp() override
   {
     this->FilterTest::SetUp();
@@ -112,8 +118,8 @@ TEST_F(FilterMemory, NoMoreThanWasSaid)
     this->Filter->SetInputData(large);
     this->ExpectMap();
     const double taken = Status("VmHWM:") - before;
-    this->RecordProperty("taken", std::to_string(taken * 0x1p-20) + " MiB");
-    this->RecordProperty("said", std::to_string(this->Needed() * 0x1p-20) + " MiB");
+    this->Measured(std::to_string(std::lround(taken * 0x1p-20)) + " of " +
+      std::to_string(std::lround(this->Needed() * 0x1p-20)) + " MiB were taken");
     // VTK's own cutting and copying comes before, and is no more than this run.
     EXPECT_LT(taken, this->Needed());
     EXPECT_GT(taken, 0.5 * this->Needed()) << "it would refuse what could be run";
@@ -154,10 +160,6 @@ TEST_F(FilterMemory, MoreThanTheMachineHasIsRefused)
 
 TEST_F(FilterMemory, DoesNotGrowOverAThousandExecutions)
 {
-  if (!MeasuresMemory)
-  {
-    GTEST_SKIP() << "not with the address sanitizer";
-  }
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(32);
   sphere->SetPhiResolution(32);
@@ -174,6 +176,11 @@ TEST_F(FilterMemory, DoesNotGrowOverAThousandExecutions)
       this->Filter->Update();
     }
   };
+  if (!MeasuresMemory)
+  {
+    execute(20); // the sanitizer itself looks for leaks when the process ends
+    return;
+  }
   execute(100); // caches fill, the heap finds its size
   GiveBack();
   const double before = Status("VmRSS:");
@@ -184,6 +191,6 @@ TEST_F(FilterMemory, DoesNotGrowOverAThousandExecutions)
   // array of one number a point.
   const double leastLeak =
     1000.0 * 8.0 * static_cast<double>(sphere->GetOutput()->GetNumberOfPoints());
-  this->RecordProperty("growth", std::to_string(growth / 1024.0) + " KiB");
+  this->Measured(std::to_string(std::lround(growth / 1024.0)) + " KiB more after 1000 runs");
   EXPECT_LT(growth, 0.5 * leastLeak);
 }

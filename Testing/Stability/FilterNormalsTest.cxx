@@ -19,6 +19,11 @@ namespace
 class FilterNormals : public FilterTest
 {
 protected:
+  FilterNormals()
+    : FilterTest("normals of any type, length and absence: NaN in the map, the wrong side lit")
+  {
+  }
+
   void SetUp() override
   {
     this->FilterTest::SetUp();

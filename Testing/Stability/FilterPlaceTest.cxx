@@ -35,6 +35,11 @@ struct Map
 class FilterPlace : public FilterTest
 {
 protected:
+  FilterPlace()
+    : FilterTest("a map that depends on where a model stands and in which unit")
+  {
+  }
+
   static constexpr int Squares = 4;
   static constexpr double Flux = 1000.0;
 
@@ -161,6 +166,7 @@ TEST_F(FilterPlace, NormalsAreComputedFarFromTheOriginToo)
 TEST_F(FilterPlace, RoundingMovesHitsAndNothingElse)
 {
   this->Filter->SetReflectance(0.0);
+  int worst = 0;
   for (const int registration : { 0, 1, 2 })
   {
     this->Filter->SetRegistration(registration);
@@ -182,10 +188,12 @@ TEST_F(FilterPlace, RoundingMovesHitsAndNothingElse)
           luxPerHit * 0x1p-19 * expected.hits[i];
         hitsMoved += std::fabs(other.hits[i] - expected.hits[i]);
       }
+      worst = std::max(worst, pointsOff);
       EXPECT_LE(pointsOff, 6);
       EXPECT_LE(hitsMoved, 3.0 * 6.0);
     }
   }
+  this->Measured(std::to_string(worst) + " of 150 points beyond the bound");
 }
 
 /// With reflection a photon that lands elsewhere goes elsewhere: the same map up to the noise. The

@@ -27,6 +27,11 @@ struct RealProperty
 class FilterSettings : public FilterTest
 {
 protected:
+  FilterSettings()
+    : FilterTest("properties that make no sense: a crash, a hang, a silent correction")
+  {
+  }
+
   template <typename Value>
   void ExpectRefused(void (Filter::*set)(Value), Value bad, Value good, const std::string& words)
   {

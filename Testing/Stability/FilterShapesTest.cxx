@@ -91,6 +91,11 @@ double Area(const Corners& polygon)
 class FilterShapes : public FilterTest
 {
 protected:
+  FilterShapes()
+    : FilterTest("polygons cut into wrong, missing or double triangles")
+  {
+  }
+
   void SetUp() override
   {
     this->FilterTest::SetUp();

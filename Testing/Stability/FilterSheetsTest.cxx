@@ -5,8 +5,10 @@
 #include "FilterTools.h"
 
 #include "vtkCellArray.h"
+#include "vtkCubeSource.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkVariant.h"
@@ -29,6 +31,11 @@ struct Sheets
 class FilterSheets : public FilterTest
 {
 protected:
+  FilterSheets()
+    : FilterTest("walls drawn once for each side: light on the wrong sheet")
+  {
+  }
+
   static constexpr double Slope = 0.5;
 
   /// Two sheets over the unit square at height 0.5 x, fronts up and down.
@@ -63,7 +70,7 @@ protected:
 
   double FieldValue(const char* name)
   {
-    return this->Filter->GetOutput()
+    return this->Filter->GetOutputDataObject(0)
       ->GetFieldData()
       ->GetAbstractArray(name)
       ->GetVariantValue(0)
@@ -112,6 +119,50 @@ TEST_F(FilterSheets, LightFallsOnTheSheetThatFacesIt)
           this->ExpectLightOnTheUpperSheetAlone(upperFirst);
         }
       }
+    }
+  }
+}
+
+/// A room whose walls are drawn from inside and from outside: no photon of the lamp in it may come
+/// out, and none may be counted on the outside.
+TEST_F(FilterSheets, RoomOfDoubleWallsKeepsItsLight)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->Update();
+  vtkNew<vtkPolyData> outside;
+  outside->DeepCopy(cube->GetOutput());
+  vtkNew<vtkPolyData> inside;
+  inside->DeepCopy(outside);
+  vtkDataArray* normals = inside->GetPointData()->GetNormals();
+  for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+  {
+    const double* n = normals->GetTuple3(i);
+    normals->SetTuple3(i, -n[0], -n[1], -n[2]);
+  }
+  this->Filter->SetLampType(vtkIlluminationMap::POINT);
+  this->Filter->SetLampPosition(0.1, 0.2, -0.1);
+  this->Filter->SetReflectance(0.9);
+  this->Filter->SetRegisterBackSide(true);
+  this->Filter->SetPhotons(100000);
+  for (const unsigned insideIs : { 0u, 1u })
+  {
+    vtkNew<vtkMultiBlockDataSet> walls;
+    walls->SetBlock(insideIs, inside);
+    walls->SetBlock(1 - insideIs, outside);
+    this->Filter->SetInputData(walls);
+    for (const int registration : { 0, 1, 2 })
+    {
+      this->Filter->SetRegistration(registration);
+      this->Run();
+      auto* output = vtkMultiBlockDataSet::SafeDownCast(this->Filter->GetOutputDataObject(0));
+      EXPECT_EQ(this->FieldValue("PhotonsEscaped"), 0.0);
+      vtkPointData* lit = vtkPolyData::SafeDownCast(output->GetBlock(insideIs))->GetPointData();
+      vtkPointData* dark =
+        vtkPolyData::SafeDownCast(output->GetBlock(1 - insideIs))->GetPointData();
+      EXPECT_GT(lit->GetArray("Illuminance")->GetRange()[0], 0.0);
+      EXPECT_EQ(lit->GetArray("IlluminanceBack")->GetRange()[1], 0.0);
+      EXPECT_EQ(dark->GetArray("Illuminance")->GetRange()[1], 0.0);
+      EXPECT_EQ(dark->GetArray("IlluminanceBack")->GetRange()[1], 0.0);
     }
   }
 }

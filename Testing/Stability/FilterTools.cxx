@@ -75,8 +75,20 @@ void FilterTest::SetUp()
   this->Filter->SetPhotons(4096);
 }
 
+void FilterTest::Measured(const std::string& what)
+{
+  this->WhatWasMeasured += (this->WhatWasMeasured.empty() ? "" : "; ") + what;
+}
+
 void FilterTest::TearDown()
 {
+  if (this->WhatWasMeasured.empty())
+  {
+    this->Measured(std::to_string(this->Refusals) + " refused with one error each, " +
+      std::to_string(this->Maps) + " maps");
+  }
+  this->RecordProperty("protects", this->Protects);
+  this->RecordProperty("measured", this->WhatWasMeasured);
   vtkOutputWindow::SetInstance(this->Before);
 }
 
@@ -90,6 +102,7 @@ void FilterTest::Run()
 void FilterTest::ExpectError(const std::string& words)
 {
   SCOPED_TRACE(words);
+  ++this->Refusals;
   vtkDataObject* input = this->Filter->GetInputDataObject(0, 0);
   this->Run();
   EXPECT_EQ(this->Messages->Errors, 1) << this->Messages->Text;
@@ -111,6 +124,7 @@ void FilterTest::ExpectError(const std::string& words)
 
 void FilterTest::ExpectMap()
 {
+  ++this->Maps;
   this->Run();
   EXPECT_EQ(this->Messages->Errors, 0) << this->Messages->Text;
   EXPECT_EQ(this->Messages->Warnings, 0) << this->Messages->Text;

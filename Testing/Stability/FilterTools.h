@@ -36,6 +36,12 @@ public:
 class FilterTest : public ::testing::Test
 {
 protected:
+  /// @param protects What these tests protect against, for the table.
+  explicit FilterTest(const char* protects)
+    : Protects(protects)
+  {
+  }
+
   void SetUp() override;
   void TearDown() override;
 
@@ -51,12 +57,19 @@ protected:
   /// The output's Notes, a line each.
   std::string Notes() const;
 
+  /// What was measured, for the table; otherwise that tells the numbers of refusals and maps.
+  void Measured(const std::string& what);
+
   vtkSmartPointer<vtkPolyData> Surface;
   vtkNew<vtkIlluminationMap> Filter;
   vtkNew<MessageCounter> Messages;
 
 private:
   vtkSmartPointer<vtkOutputWindow> Before;
+  std::string Protects;
+  std::string WhatWasMeasured;
+  int Refusals = 0;
+  int Maps = 0;
 };
 
 /// A sphere of 50 points with normals.

@@ -40,21 +40,66 @@ std::vector<vtkIdType> Values(vtkDataArray* ids)
   return { array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues() };
 }
 
+/// Adds a cell and says which cell of the input it comes from.
+struct CellsWithIds
+{
+  vtkCellArray* cells;
+  vtkIdTypeArray* ids;
+  void Add(vtkIdType size, const vtkIdType* points, vtkIdType cell) const
+  {
+    this->cells->InsertNextCell(size, points);
+    this->ids->InsertNextValue(cell);
+  }
+};
+
+/// The polygons that have three corners and the triangles of strips. VTK's triangle filter would
+/// read beyond the end of a shorter strip.
+void CopySurfaceCells(vtkPolyData* data, const CellsWithIds& copy)
+{
+  vtkIdType cell = data->GetNumberOfVerts() + data->GetNumberOfLines();
+  vtkIdType size = 0;
+  const vtkIdType* ids = nullptr;
+  auto it = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell(), ++cell)
+  {
+    it->GetCurrentCell(size, ids);
+    if (size >= 3)
+    {
+      copy.Add(size, ids, cell);
+    }
+  }
+  it = vtk::TakeSmartPointer(data->GetStrips()->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell(), ++cell)
+  {
+    it->GetCurrentCell(size, ids);
+    for (vtkIdType i = 0; i + 2 < size; ++i)
+    {
+      const vtkIdType odd = i % 2; // every second triangle winds the other way
+      const vtkIdType triangle[3] = { ids[i + odd], ids[i + 1 - odd], ids[i + 2] };
+      copy.Add(3, triangle, cell);
+    }
+  }
+}
+
 /// The triangles of a block alone, with the ids of the cells and points they come from and with
 /// normals.
 vtkSmartPointer<vtkPolyData> Triangles(
   vtkPolyData* data, vtkDataArray* normals, double featureAngle)
 {
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkIdTypeArray> cellIds;
+  cellIds->SetName(CellIds);
+  CopySurfaceCells(data, { cells, cellIds });
+
   vtkNew<vtkPolyData> bare;
-  bare->CopyStructure(data);
-  bare->GetCellData()->AddArray(Counting(CellIds, data->GetNumberOfCells()));
+  bare->SetPoints(data->GetPoints());
+  bare->SetPolys(cells);
+  bare->GetCellData()->AddArray(cellIds);
   bare->GetPointData()->AddArray(Counting(PointIds, data->GetNumberOfPoints()));
   bare->GetPointData()->SetNormals(normals);
 
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputData(bare);
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
   triangles->Update();
   if (normals || triangles->GetOutput()->GetNumberOfPolys() == 0)
   {

@@ -307,8 +307,9 @@ public:
   ///@{
   /**
    * GiB of memory that the input's triangles, the run and its results may take together, >= 0; 0 is
-   * what the machine has available (on Linux; no limit on other systems). What they need is worked
-   * out before they take it, told in MemoryNeeded, and refused if it is more. Default: 0.
+   * what the machine has available (on Linux; no limit on other systems). What they need at most is
+   * worked out once the input is cut into triangles, about a tenth of it, and before the rest is
+   * taken; it is told in MemoryNeeded, and refused if it is more. Default: 0.
    */
   vtkSetMacro(MemoryLimit, double);
   vtkGetMacro(MemoryLimit, double);

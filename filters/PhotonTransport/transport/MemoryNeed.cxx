@@ -49,16 +49,28 @@ double GiB(std::uint64_t bytes)
 }
 
 /// The number after `key` in a file of the system; nothing if there is none.
-std::optional<std::uint64_t> NumberIn(const char* file, const std::string& key)
+std::optional<std::uint64_t> NumberIn(const char* file, const char* key)
 {
   std::ifstream in(file);
   std::string word;
-  while (!key.empty() && in >> word && word != key)
+  while (*key != '\0' && in >> word && word != key)
   {
   }
   std::uint64_t number = 0;
   return in >> number ? std::optional(number) : std::nullopt;
 }
+
+/// Where Linux says what a control group (a container, say) may take: version 2, version 1.
+struct ControlGroup
+{
+  const char *limit, *used, *statistics, *activeFiles, *inactiveFiles;
+};
+constexpr ControlGroup ControlGroups[] = {
+  { "/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory.current", "/sys/fs/cgroup/memory.stat",
+    "active_file", "inactive_file" },
+  { "/sys/fs/cgroup/memory/memory.limit_in_bytes", "/sys/fs/cgroup/memory/memory.usage_in_bytes",
+    "/sys/fs/cgroup/memory/memory.stat", "total_active_file", "total_inactive_file" }
+};
 
 } // namespace
 
@@ -82,19 +94,17 @@ std::optional<std::uint64_t> AvailableMemory()
     return std::nullopt;
   }
   *available *= 1024; // given in KiB
-  struct Group
-  {
-    const char *limit, *used;
-  };
-  for (const Group& group : { Group{ "/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory.current" },
-         Group{ "/sys/fs/cgroup/memory/memory.limit_in_bytes",
-           "/sys/fs/cgroup/memory/memory.usage_in_bytes" } })
+  for (const ControlGroup& group : ControlGroups)
   {
     const auto limit = NumberIn(group.limit, ""); // "max" is no number and no limit
     const auto used = NumberIn(group.used, "");
     if (limit && used)
     {
-      available = std::min(*available, *limit - std::min(*limit, *used));
+      // What caches files is given up when memory is wanted.
+      const std::uint64_t files = NumberIn(group.statistics, group.activeFiles).value_or(0) +
+        NumberIn(group.statistics, group.inactiveFiles).value_or(0);
+      const std::uint64_t held = *used - std::min(files, *used);
+      available = std::min(*available, *limit - std::min(*limit, held));
     }
   }
   return available;
