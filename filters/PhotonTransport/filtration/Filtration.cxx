@@ -5,6 +5,7 @@
 #include "PhotonTransport/filtration/NoiseModel.h"
 #include "PhotonTransport/filtration/Parallel.h"
 #include "PhotonTransport/filtration/ScaleSelection.h"
+#include "PhotonTransport/filtration/VertexOrder.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/transport/TraceSettings.h"
 
@@ -196,6 +197,35 @@ Selection Unchanged(const GroupColumns& map)
   return { map, Values(map.size(), 0.0), std::vector<float>(map.size(), 0.0f) };
 }
 
+/// What the parts of a map share.
+struct Whole
+{
+  const SmoothingGraph& graph;
+  const Values& total;
+  const Values& hits;
+  const std::vector<float>& importance;
+};
+
+FilteredMap FiltratePart(const NoisyMap& part, const Whole& whole,
+  const FiltrationSettings& settings, const FiltrationMonitor& monitor)
+{
+  const std::optional<SmoothingGraph> cut =
+    WithoutDarkRegions(whole.graph, part.values, whole.total, whole.hits);
+  const SmoothingGraph& graph = cut ? *cut : whole.graph;
+  const GroupColumns map = GroupsOf(graph, part, monitor);
+  const Selection selection = settings.method == FiltrationMethod::Adaptive
+    ? SelectWidths(graph, map, { whole.importance, settings.strength }, monitor)
+    : settings.method == FiltrationMethod::Diffusion
+    ? SmoothEvenly(whole.graph, map, settings.width, monitor)
+    : Unchanged(map);
+  FilteredMap result{ part.values,
+    SquaredError(graph, map, selection.groups, whole.importance, monitor), selection.width };
+  std::transform(result.values.begin(), result.values.end(), selection.change.begin(),
+    result.values.begin(), std::plus<>());
+  Conserve(whole.graph, part.values, result.values);
+  return result;
+}
+
 } // namespace
 
 void Validate(const FiltrationSettings& settings)
@@ -216,27 +246,22 @@ std::vector<FilteredMap> Filtrate(const SmoothingGraph& graph, const std::vector
   const FiltrationMonitor& caller)
 {
   Validate(settings);
-  const FiltrationMonitor monitor = ShareOfAll(parts, settings.method, caller);
   std::for_each(parts.begin(), parts.end(), [](const NoisyMap& part) { RequireFinite(part); });
-  const Values total = SumOf(parts);
-  const std::vector<float> importance = Importance(graph, total, monitor);
+  const FiltrationMonitor monitor = ShareOfAll(parts, settings.method, caller);
+  const VertexOrder order(graph);
+  const SmoothingGraph ordered(graph, order);
+  const Values total = order.Ordered(SumOf(parts));
+  const Values orderedHits = order.Ordered(hits);
+  const std::vector<float> importance = Importance(ordered, total, monitor);
   std::vector<FilteredMap> filtered;
   for (const NoisyMap& part : parts)
   {
-    const std::optional<SmoothingGraph> cut = WithoutDarkRegions(graph, part.values, total, hits);
-    const SmoothingGraph& connected = cut ? *cut : graph;
-    const GroupColumns map = GroupsOf(connected, part, monitor);
-    const Selection selection = settings.method == FiltrationMethod::Adaptive
-      ? SelectWidths(connected, map, { importance, settings.strength }, monitor)
-      : settings.method == FiltrationMethod::Diffusion
-      ? SmoothEvenly(graph, map, settings.width, monitor)
-      : Unchanged(map);
-    FilteredMap result{ part.values, {}, selection.width };
-    std::transform(result.values.begin(), result.values.end(), selection.change.begin(),
-      result.values.begin(), std::plus<>());
-    Conserve(graph, part.values, result.values);
-    result.squaredError = SquaredError(connected, map, selection.groups, importance, monitor);
-    filtered.push_back(std::move(result));
+    const NoisyMap own{ part.name, order.Ordered(part.values), order.Ordered(part.groups),
+      order.Ordered(part.standardError) };
+    const FilteredMap result =
+      FiltratePart(own, { ordered, total, orderedHits, importance }, settings, monitor);
+    filtered.push_back({ order.Restored(result.values), order.Restored(result.squaredError),
+      order.Restored(result.width) });
   }
   return filtered;
 }

@@ -3,6 +3,7 @@
 
 #include "PhotonTransport/filtration/Parallel.h"
 #include "PhotonTransport/filtration/RingEdges.h"
+#include "PhotonTransport/filtration/VertexOrder.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 
 #include <algorithm>
@@ -68,6 +69,31 @@ SmoothingGraph::SmoothingGraph(
   this->Connect(rings);
   this->LimitEigenvalues();
   this->FindPatches();
+}
+
+SmoothingGraph::SmoothingGraph(const SmoothingGraph& graph, const VertexOrder& order)
+  : Areas(order.Ordered(graph.Areas))
+  , InverseAreas(order.Ordered(graph.InverseAreas))
+  , First(graph.First.size(), 0)
+  , Edges(graph.Edges.size())
+  , Patch(order.Ordered(graph.Patch))
+  , PatchCount(graph.PatchCount)
+{
+  for (std::size_t place = 0; place < graph.Vertices(); ++place)
+  {
+    const Range<Edge> edges = graph.At(order.At(place));
+    this->First[place + 1] =
+      this->First[place] + static_cast<std::uint64_t>(edges.end() - edges.begin());
+  }
+  ForEach(graph.Vertices(),
+    [&](std::size_t place)
+    {
+      Edge* next = this->Edges.data() + this->First[place];
+      for (const Edge& edge : graph.At(order.At(place)))
+      {
+        *next++ = { order.Places()[edge.neighbour], edge.conductance };
+      }
+    });
 }
 
 void SmoothingGraph::FindAreas(const RingEdges& rings)

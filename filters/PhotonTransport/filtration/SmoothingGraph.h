@@ -12,6 +12,7 @@ namespace PhotonTransport
 {
 
 class RingEdges;
+class VertexOrder;
 
 /// Which vertices exchange light when a map is smoothed, and how strongly: the cotangent Laplacian
 /// of the surface, cut along creases, non-manifold edges and rims, so that smooth patches are its
@@ -35,6 +36,9 @@ public:
   /// above which light does not cross it.
   SmoothingGraph(const std::vector<glm::dvec3>& points, const std::vector<glm::uvec3>& facets,
     double creaseAngle);
+
+  /// The same graph with its vertices numbered by their places in an order.
+  SmoothingGraph(const SmoothingGraph& graph, const VertexOrder& order);
 
   std::size_t Vertices() const { return this->Areas.size(); }
   /// A_v, a third of the facets around; 0 where there are none. Square of the points' unit.
