@@ -118,8 +118,8 @@ TEST_F(FilterMemory, NoMoreThanWasSaid)
     this->Filter->SetInputData(large);
     this->ExpectMap();
     const double taken = Status("VmHWM:") - before;
-    this->Measured(std::to_string(std::lround(taken * 0x1p-20)) + " of " +
-      std::to_string(std::lround(this->Needed() * 0x1p-20)) + " MiB were taken");
+    // Without the numbers, which differ from run to run: the table shall not.
+    this->Measured("between half and all of what it said was taken");
     // VTK's own cutting and copying comes before, and is no more than this run.
     EXPECT_LT(taken, this->Needed());
     EXPECT_GT(taken, 0.5 * this->Needed()) << "it would refuse what could be run";
@@ -191,6 +191,6 @@ TEST_F(FilterMemory, DoesNotGrowOverAThousandExecutions)
   // array of one number a point.
   const double leastLeak =
     1000.0 * 8.0 * static_cast<double>(sphere->GetOutput()->GetNumberOfPoints());
-  this->Measured(std::to_string(std::lround(growth / 1024.0)) + " KiB more after 1000 runs");
+  this->Measured("1000 runs leave less than half an array of one number a point each");
   EXPECT_LT(growth, 0.5 * leastLeak);
 }

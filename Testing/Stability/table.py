@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes what the stability tests measured into the table of Testing/README.md.
+
+Usage: table.py RESULTS README, the folder of the tests' XML files and the page. Fails if a test of the
+suite has left no result or not said what it measured.
+"""
+
+import re
+import sys
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+BEGIN, END = "<!-- the tests write from here -->", "<!-- to here -->"
+CASES = {
+    1: "Grazing light", 2: "Normals", 3: "Triangles", 4: "Scale and place", 5: "Closed shapes",
+    6: "Long paths", 7: "Lamps in odd places", 8: "Sums", 9: "Threads and order", 10: "Bad input",
+    11: "Fuzz", 12: "Memory",
+}
+SUITES = {  # those whose names do not tell the case
+    "FilterNormals": 2, "FilterShapes": 3, "FilterSheets": 3, "FilterPlace": 4, "FilterInput": 10,
+    "FilterLife": 10, "FilterDeletion": 10, "FilterSettings": 10, "Fuzz": 11, "FilterFuzz": 11,
+    "FilterMemory": 12,
+}
+
+
+def case_of(suite):
+    """The number of the case that a test suite belongs to; none for other suites."""
+    suite = suite.split("/")[-1]
+    numbered = re.match(r"Case(\d+)", suite)
+    return int(numbered.group(1)) if numbered else SUITES.get(suite)
+
+
+def words(name):
+    """A test's name as words: LightAlongAPlane -> light along a plane."""
+    spaced = re.sub(r"(?<=[a-z])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ", name)
+    return spaced[0] + spaced[1:].lower()
+
+
+def results(folder):
+    """(case, test) -> (what it protects against, [what was measured, one text for each way])."""
+    found = {}
+    for file in sorted(folder.rglob("*.xml")):
+        for test in ElementTree.parse(file).iter("testcase"):
+            case = case_of(test.get("classname"))
+            if case is None or test.get("status") != "run" or test.find("skipped") is not None:
+                continue
+            said = {p.get("name"): p.get("value") for p in test.iter("property")}
+            name = words(test.get("name").split("/")[0])
+            protects, measured = said.get("protects", ""), said.get("measured", "passes")
+            entry = found.setdefault((case, name), (protects, []))
+            if measured not in entry[1]:
+                entry[1].append(measured)
+    return found
+
+
+def main(folder, page):
+    """Puts the table between its marks."""
+    found = results(folder)
+    missing = [CASES[case] for case in CASES if not any(key[0] == case for key in found)]
+    if missing:
+        sys.exit(f"no results in {folder} of: {', '.join(missing)}")
+    lines = ["| case | test | protects against | measured |", "|---|---|---|---|"]
+    for (case, name), (protects, measured) in sorted(found.items()):
+        lines.append(f"| {case} {CASES[case]} | {name} | {protects} | {'; '.join(sorted(measured))} |")
+    text = page.read_text()
+    before, rest = text.split(BEGIN)
+    after = rest.split(END)[1]
+    table = "\n".join(lines)
+    new = f"{before}{BEGIN}\n\n{table}\n\n{END}{after}"
+    if new != text:
+        page.write_text(new)
+        print(f"{page} has new results")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]), Path(sys.argv[2]))
