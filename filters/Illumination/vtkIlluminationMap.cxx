@@ -184,7 +184,9 @@ void vtkIlluminationMap::Trace(vtkDataObject* input, vtkDataObject* output, vtkT
     Validate(rules);
     const PhotonTransport::TraceSettings settings = SettingsOf(this);
     Validate(settings);
-    const std::uint64_t need = PhotonTransport::MemoryNeed(blocks.Surface(), settings);
+    const std::uint64_t forGroups = this->GroupMeans ? PhotonTransport::GroupMeansPerVertex : 0;
+    const std::uint64_t need = PhotonTransport::MemoryNeed(blocks.Surface(), settings) +
+      blocks.Surface().points.size() * forGroups;
     const std::uint64_t memoryLimit = MemoryLimitOf(this);
     const std::string shape = this->WhatShapesTheMap(input);
     if (!this->Kept || !this->Kept->Serves(shape, this->Photons))

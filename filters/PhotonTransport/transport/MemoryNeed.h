@@ -2,6 +2,7 @@
 #pragma once
 
 #include "PhotonTransport/scene/Surface.h"
+#include "PhotonTransport/statistics/GroupMeans.h"
 #include "PhotonTransport/transport/TraceSettings.h"
 
 #include <cstdint>
@@ -14,6 +15,10 @@ namespace PhotonTransport
 /// told before any of it is allocated. Counts what grows with the surface; a few MiB that every
 /// process takes are not in it.
 std::uint64_t MemoryNeed(const Surface& surface, const TraceSettings& settings);
+
+/// Bytes more for each vertex where group means are asked for: as the core makes them, by point,
+/// and as arrays.
+constexpr std::uint64_t GroupMeansPerVertex = 3 * 2 * sizeof(GroupValues);
 
 /// Bytes that this process could still take without being killed or swapped out, as Linux and its
 /// control groups tell; nothing on other systems.
