@@ -23,9 +23,12 @@ using CandidateColumns = Columns<12>;
 static_assert(Candidates < 12);
 constexpr std::size_t NoiseColumn = Candidates; ///< Variance of the map itself.
 
-/// Risks are means over a neighbourhood: wide for the first choice, which has only the map to
-/// compare with; narrow for the second, which compares with the first.
-constexpr double FirstPool = 4.0;
+/// Risks are means over a neighbourhood. The first choice, which has only the noisy map to compare
+/// with, needs a wide one, and takes the word of a near one only where the difference is plain.
+constexpr double FirstPool = 16.0;
+constexpr double NearPool = 4.0;
+constexpr float PlainDifference = 0.2f; ///< Of the noise's variance.
+/// The second choice compares with the first, and can look closer.
 constexpr double SecondPool = 2.0;
 constexpr double ErrorPool = 64.0;
 /// Weights of candidates change no faster than this from vertex to vertex.
@@ -151,6 +154,28 @@ Choice LeastRisk(const CandidateColumns& risks, const Admits& admits)
   return choice;
 }
 
+/// Risks over the wide neighbourhood, or over the near one where that rejects the wide one's
+/// choice.
+CandidateColumns FirstRisks(
+  const SmoothingGraph& graph, const CandidateColumns& risks, const FiltrationMonitor& monitor)
+{
+  const std::vector<CandidateColumns> pooled = Apply<12>(
+    graph, { SpectralFilter::Heat(FirstPool), SpectralFilter::Heat(NearPool) }, risks, monitor);
+  const CandidateColumns& wide = pooled[0];
+  const CandidateColumns& near = pooled[1];
+  const auto all = [](std::size_t, std::size_t) { return true; };
+  const Choice choiceOfWide = LeastRisk(wide, all);
+  const Choice choiceOfNear = LeastRisk(near, all);
+  CandidateColumns first(risks.size());
+  ForEach(risks.size(),
+    [&](std::size_t v)
+    {
+      const float loss = near[v][choiceOfWide[v]] - near[v][choiceOfNear[v]];
+      first[v] = loss > PlainDifference * near[v][NoiseColumn] ? near[v] : wide[v];
+    });
+  return first;
+}
+
 /// The chosen candidates with soft seams between them.
 Selection Blend(const SmoothingGraph& graph, const CandidateMaps& candidates, const Choice& choice,
   const FiltrationMonitor& monitor)
@@ -217,8 +242,7 @@ Selection SelectWidths(const SmoothingGraph& graph, const GroupColumns& map,
   const SelectionSettings& settings, const FiltrationMonitor& monitor)
 {
   const CandidateMaps candidates(graph, map, monitor);
-  const CandidateColumns risks =
-    Pool(graph, FirstPool, RisksAgainstMap(candidates, settings), monitor);
+  const CandidateColumns risks = FirstRisks(graph, RisksAgainstMap(candidates, settings), monitor);
   const Choice firstChoice = LeastRisk(risks, [](std::size_t, std::size_t) { return true; });
   const Selection first = Blend(graph, candidates, firstChoice, monitor);
 
