@@ -54,30 +54,29 @@ def facts_of(data):
     return facts
 
 
-def illuminate(surface, **properties):
-    """The illumination map of a vtkPolyData; properties are those of the filter, by name."""
+def run_filter(make_proxy, surface, wanted, properties):
+    """What a filter makes of a vtkPolyData; raises if a point array that is wanted is not there."""
     source = as_source(surface)
-    proxy = simple.IlluminationMap(Input=source, **properties)
+    proxy = make_proxy(Input=source, **properties)
     proxy.UpdatePipeline()
     result = servermanager.Fetch(proxy)
     simple.Delete(proxy)
     simple.Delete(source)
-    if result.GetPointData().GetArray("Illuminance") is None:
-        raise RuntimeError("IlluminationMap has failed; its message is above")
+    if result.GetPointData().GetArray(wanted) is None:
+        raise RuntimeError(f"no {wanted}: the filter has failed; its message is above")
+    return result
+
+
+def illuminate(surface, **properties):
+    """The illumination map of a vtkPolyData; properties are those of the filter, by name."""
+    result = run_filter(simple.IlluminationMap, surface, "Illuminance", properties)
     return IlluminationMap(result, facts_of(result))
 
 
 def smooth(surface, **properties):
     """An illuminated vtkPolyData with the arrays of IlluminationMapSmoothing, whose properties these are."""
-    source = as_source(surface)
-    proxy = simple.IlluminationMapSmoothing(Input=source, **properties)
-    proxy.UpdatePipeline()
-    result = servermanager.Fetch(proxy)
-    simple.Delete(proxy)
-    simple.Delete(source)
-    if result.GetPointData().GetArray("StandardErrorSmoothed") is None:
-        raise RuntimeError("IlluminationMapSmoothing has failed; its message is above")
-    return result
+    return run_filter(
+        simple.IlluminationMapSmoothing, surface, "StandardErrorSmoothed", properties)
 
 
 def illuminance_of_seeds(surface, seeds, array="Illuminance", **properties):
