@@ -84,8 +84,11 @@ void FilterTest::TearDown()
 {
   if (this->WhatWasMeasured.empty())
   {
-    this->Measured(std::to_string(this->Refusals) + " refused with one error each, " +
-      std::to_string(this->Maps) + " maps");
+    if (this->Refusals > 0)
+    {
+      this->Measured(std::to_string(this->Refusals) + " refused with one error each");
+    }
+    this->Measured(this->Maps > 0 ? std::to_string(this->Maps) + " maps as expected" : "passes");
   }
   this->RecordProperty("protects", this->Protects);
   this->RecordProperty("measured", this->WhatWasMeasured);

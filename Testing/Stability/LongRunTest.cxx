@@ -116,18 +116,34 @@ TEST(Case8, AThousandMillionHitsWithoutDrift)
   Report("sums that drift with the number of hits", "10^9 hits: exact to the last bit");
 }
 
-TEST(Case8, PhotonsBeyondTheSumsAreRefused)
+TEST(Case8, PhotonsBeyondTheLimitAreRefused)
 {
   StopRules rules;
   rules.photons = 10'000'000'001;
   EXPECT_THROW(Validate(rules), InvalidInput);
   rules.photons = 10'000'000'000;
   EXPECT_NO_THROW(Validate(rules));
-  // Every photon of the limit at full weight on one vertex of one replicate of eight.
-  const double most = 1e10 / 8.0 * double{ FixedPointOne };
-  EXPECT_LT(most * 16.0, 0x1p63); // at the default weight bound too
-  Report(
-    "an overflow of the sums", "more than 10^10 photons refused; the sums hold 16 times as much");
+  Report("numbers of photons that no sum can hold", "more than 10^10 refused");
+}
+
+TEST(Case8, SumsEndARunBeforeTheyOverflow)
+{
+  ReplicateSums sums{ std::vector<IlluminationSums>(8, IlluminationSums(3, true)) };
+  EXPECT_FALSE(sums.AreFull());
+  for (IlluminationSums& replicate : sums.replicates)
+  {
+    replicate.front[1].direct = (FixedPoint{ 1 } << 57) - 1; // 16 of them are 2^61
+    replicate.front[1].indirect = (FixedPoint{ 1 } << 57);
+  }
+  EXPECT_FALSE(sums.AreFull());
+  sums.replicates[5].front[1].direct += 8;
+  EXPECT_TRUE(sums.AreFull());
+  sums.replicates[5].front[1].direct = 0;
+  sums.replicates[2].back[2].indirect = FixedPoint{ 1 } << 61;
+  EXPECT_TRUE(sums.AreFull()) << "the back too";
+  // A round at most triples the photons.
+  EXPECT_LT(3.0 * 0x1p61, 0x1p63);
+  Report("an overflow of the sums", "a run ends before three times its hits could overflow");
 }
 
 TEST_P(Case8Flux, FluxScalesTheMapAndNothingElse)

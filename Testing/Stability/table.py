@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes what the stability tests measured into the table of Testing/README.md.
 
-Usage: table.py RESULTS README, the folder of the tests' XML files and the page. Fails if a test of the
-suite has left no result or not said what it measured.
+Usage: table.py RESULTS README, the folder of the tests' XML files and the page. Fails if a case has left
+no result.
 """
 
 import re

@@ -129,6 +129,8 @@ std::string NameOf(StopReason reason)
       return "time limit";
     case StopReason::Abort:
       return "abort";
+    case StopReason::SumsFull:
+      return "sums full: a point has had as many hits as its sum can hold";
     default:
       return "photon limit";
   }

@@ -2,13 +2,10 @@
 #include "PhotonTransport/transport/IlluminationRun.h"
 
 #include "PhotonTransport/scene/InvalidInput.h"
-#include "PhotonTransport/statistics/ReplicateStatistics.h"
-#include "PhotonTransport/transport/ParallelFor.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numeric>
 #include <string>
 
 namespace PhotonTransport
@@ -58,7 +55,8 @@ private:
 
 void Validate(const StopRules& rules)
 {
-  // A vertex that every photon hits at full weight sums up to 2^33 of them.
+  // The first round of so many photons can't fill a sum; ReplicateSums::AreFull looks after the
+  // later ones.
   constexpr std::uint64_t MostPhotons = 10'000'000'000u;
   if (rules.photons < 1 || rules.photons > MostPhotons)
   {
@@ -81,7 +79,7 @@ IlluminationRun::IlluminationRun(
   const Scene& scene, const Lamp& lamp, const TraceSettings& settings)
   : Surroundings(scene)
   , Tracer(scene, lamp, settings)
-  , Replicates(settings.replicates, Replicate{ this->Tracer.EmptySums() })
+  , Sums{ std::vector<IlluminationSums>(settings.replicates, this->Tracer.EmptySums()) }
 {
 }
 
@@ -102,18 +100,12 @@ StopReason IlluminationRun::Advance(const StopRules& rules, const ProgressMonito
   return *reason;
 }
 
-std::uint64_t IlluminationRun::BlocksTraced() const
-{
-  std::uint64_t blocks = 0;
-  for (const Replicate& replicate : this->Replicates)
-  {
-    blocks += replicate.blocks;
-  }
-  return blocks;
-}
-
 std::optional<StopReason> IlluminationRun::RuleReached(const StopRules& rules) const
 {
+  if (this->Sums.AreFull()) // a round at most triples the photons
+  {
+    return StopReason::SumsFull;
+  }
   if (rules.relativeError > 0.0 && !this->Rows.empty() &&
     this->Rows.back().relativeError <= rules.relativeError)
   {
@@ -132,7 +124,7 @@ std::optional<StopReason> IlluminationRun::RuleReached(const StopRules& rules) c
 
 std::uint64_t IlluminationRun::NextRound(const StopRules& rules) const
 {
-  const std::uint64_t replicates = this->Replicates.size();
+  const std::uint64_t replicates = this->Sums.replicates.size();
   const std::uint64_t limit =
     (rules.photons + replicates * PhotonBlock - 1) / (replicates * PhotonBlock);
   const std::uint64_t first =
@@ -161,11 +153,11 @@ std::optional<StopReason> IlluminationRun::TraceRound(
   const std::uint64_t end = this->NextRound(rules);
   const std::uint64_t slice = std::max<std::uint64_t>(
     LeastSlice, SlicePhotonsPerVertex * this->Surroundings.Vertices().size() / PhotonBlock);
-  for (std::uint32_t r = 0; r < this->Replicates.size(); ++r)
+  for (std::uint32_t r = 0; r < this->Sums.replicates.size(); ++r)
   {
-    while (this->Replicates[r].blocks < end)
+    while (this->BlocksOf(r) < end)
     {
-      const std::uint64_t count = std::min(slice, end - this->Replicates[r].blocks);
+      const std::uint64_t count = std::min(slice, end - this->BlocksOf(r));
       if (!this->TraceSlice(r, count, rules, monitor))
       {
         return StopReason::Abort;
@@ -183,12 +175,10 @@ bool IlluminationRun::TraceSlice(
   std::uint32_t number, std::uint64_t count, const StopRules& rules, const ProgressMonitor& monitor)
 {
   const Stopwatch stopwatch(this->SecondsTraced);
-  Replicate& replicate = this->Replicates[number];
   const Monitor report = [&](std::uint64_t done)
   { return monitor(this->ProgressTowards(rules, done)); };
-  this->Whole = this->Tracer.Trace(
-    number, replicate.blocks, count, replicate.sums, monitor ? report : Monitor());
-  replicate.blocks = replicate.sums.balance.emitted / PhotonBlock;
+  this->Whole = this->Tracer.Trace(number, this->BlocksOf(number), count,
+    this->Sums.replicates[number], monitor ? report : Monitor());
   return this->Whole;
 }
 
@@ -228,117 +218,10 @@ RunProgress IlluminationRun::ProgressTowards(const StopRules& rules, std::uint64
   return { this->LargestFraction, seconds * (1.0 / this->LargestFraction - 1.0) };
 }
 
-PhotonBalance IlluminationRun::Balance() const
-{
-  PhotonBalance balance;
-  for (const Replicate& replicate : this->Replicates)
-  {
-    balance += replicate.sums.balance;
-  }
-  return balance;
-}
-
 double IlluminationRun::FluxCutByWeightBound() const
 {
-  FixedPoint cut = 0;
-  for (const Replicate& replicate : this->Replicates)
-  {
-    cut += replicate.sums.cutByWeightBound;
-  }
   const auto emitted = static_cast<double>(this->Balance().emitted);
-  return emitted > 0.0 ? this->Flux() / emitted * FromCoarseFixedPoint(cut) : 0.0;
-}
-
-/// E_i = (flux / N) V_i / A_i, DESIGN 4.1, and its standard error from the replicates.
-IlluminationMap IlluminationRun::Side(std::vector<VertexSums> IlluminationSums::*side) const
-{
-  const std::vector<double>& areas = this->Surroundings.VertexAreas();
-  const std::size_t vertices = areas.size();
-  IlluminationMap map{ std::vector<double>(vertices, 0.0), std::vector<double>(vertices, 0.0),
-    std::vector<double>(vertices, 0.0), std::vector<std::uint64_t>(vertices, 0) };
-  const auto emitted = static_cast<double>(this->Balance().emitted);
-  const auto evaluate = [&](std::size_t v)
-  {
-    VertexSums total;
-    ReplicateStatistics statistics;
-    for (const Replicate& replicate : this->Replicates)
-    {
-      const VertexSums& sums = (replicate.sums.*side)[v];
-      const auto photons = static_cast<double>(replicate.sums.balance.emitted);
-      total += sums;
-      statistics.Add(FromFixedPoint(sums.direct + sums.indirect) / photons, photons);
-    }
-    const double luxPerWeight = this->Flux() / areas[v];
-    map.direct[v] = luxPerWeight * FromFixedPoint(total.direct) / emitted;
-    map.indirect[v] = luxPerWeight * FromFixedPoint(total.indirect) / emitted;
-    map.standardError[v] = luxPerWeight * statistics.StandardError();
-    map.photonHits[v] = total.hits;
-  };
-  ParallelFor(0, vertices,
-    [&](const tbb::blocked_range<std::uint64_t>& range)
-    {
-      for (std::size_t v = range.begin(); v < range.end(); ++v)
-      {
-        if (areas[v] > 0.0 && emitted > 0.0)
-        {
-          evaluate(v);
-        }
-      }
-    });
-  return map;
-}
-
-GroupMeans IlluminationRun::FrontByGroups() const
-{
-  std::array<double, Groups> photons{};
-  for (std::size_t r = 0; r < this->Replicates.size(); ++r)
-  {
-    photons[r % Groups] += static_cast<double>(this->Replicates[r].sums.balance.emitted);
-  }
-  if (*std::min_element(photons.begin(), photons.end()) == 0.0)
-  {
-    return {};
-  }
-  const std::vector<double>& areas = this->Surroundings.VertexAreas();
-  const double all = std::accumulate(photons.begin(), photons.end(), 0.0);
-  const auto meansOf = [&](std::size_t v, FixedPoint VertexSums::*part)
-  {
-    std::array<FixedPoint, Groups> sums{};
-    for (std::size_t r = 0; r < this->Replicates.size(); ++r)
-    {
-      sums[r % Groups] += this->Replicates[r].sums.front[v].*part;
-    }
-    const FixedPoint total = std::accumulate(sums.begin(), sums.end(), FixedPoint{ 0 });
-    GroupValues means{};
-    double unweighted = 0.0;
-    for (std::size_t g = 0; g < Groups; ++g)
-    {
-      means[g] = FromFixedPoint(sums[g]) / photons[g];
-      unweighted += means[g] / Groups;
-    }
-    // Groups may differ in photons after a time limit; their plain mean must be that of the map.
-    const double shift = FromFixedPoint(total) / all - unweighted;
-    for (double& mean : means)
-    {
-      mean = this->Flux() / areas[v] * (mean + shift);
-    }
-    return means;
-  };
-  GroupMeans groups{ std::vector<GroupValues>(areas.size()),
-    std::vector<GroupValues>(areas.size()) };
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, areas.size()),
-    [&](const tbb::blocked_range<std::size_t>& range)
-    {
-      for (std::size_t v = range.begin(); v < range.end(); ++v)
-      {
-        if (areas[v] > 0.0)
-        {
-          groups.direct[v] = meansOf(v, &VertexSums::direct);
-          groups.indirect[v] = meansOf(v, &VertexSums::indirect);
-        }
-      }
-    });
-  return groups;
+  return emitted > 0.0 ? this->Flux() / emitted * this->Sums.CutByWeightBound() : 0.0;
 }
 
 } // namespace PhotonTransport

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PhotonTransport/registration/IlluminationMap.h"
 #include "PhotonTransport/statistics/Accuracy.h"
-#include "PhotonTransport/statistics/GroupMeans.h"
 #include "PhotonTransport/transport/PhotonTracer.h"
+#include "PhotonTransport/transport/ReplicateSums.h"
 
 #include <cstdint>
 #include <functional>
@@ -31,7 +30,8 @@ enum class StopReason : int
   PhotonLimit,
   RelativeError,
   TimeLimit,
-  Abort
+  Abort,
+  SumsFull ///< Some vertex has as many hits as its sum can hold with certainty.
 };
 
 struct RunProgress
@@ -60,15 +60,18 @@ public:
   /// give the bits that a run in one go gives.
   bool CanGoOn() const { return this->Whole; }
 
-  IlluminationMap Front() const { return this->Side(&IlluminationSums::front); }
+  IlluminationMap Front() const { return this->MapOf(&IlluminationSums::front); }
   /// Only if the settings ask for the back to be registered.
-  IlluminationMap Back() const { return this->Side(&IlluminationSums::back); }
+  IlluminationMap Back() const { return this->MapOf(&IlluminationSums::back); }
 
   /// The front as four estimates whose mean is Front(); empty where an end came so soon that not
   /// all four have photons, or with fewer than four replicates.
-  GroupMeans FrontByGroups() const;
+  GroupMeans FrontByGroups() const
+  {
+    return this->Sums.FrontByGroups(this->Flux(), this->Surroundings.VertexAreas());
+  }
 
-  PhotonBalance Balance() const;
+  PhotonBalance Balance() const { return this->Sums.Balance(); }
   double Flux() const { return this->Tracer.Flux(); }
   double FluxCutByWeightBound() const; ///< lm
   double Seconds() const { return this->SecondsTraced; }
@@ -78,13 +81,16 @@ public:
   const std::vector<Accuracy>& Rounds() const { return this->Rows; }
 
 private:
-  struct Replicate
+  /// Blocks of photons that a replicate has traced.
+  std::uint64_t BlocksOf(std::uint32_t replicate) const
   {
-    IlluminationSums sums;
-    std::uint64_t blocks = 0; ///< Traced so far.
-  };
-
-  std::uint64_t BlocksTraced() const;
+    return this->Sums.replicates[replicate].balance.emitted / PhotonBlock;
+  }
+  IlluminationMap MapOf(ReplicateSums::Side side) const
+  {
+    return this->Sums.Map(side, this->Flux(), this->Surroundings.VertexAreas());
+  }
+  std::uint64_t BlocksTraced() const { return this->Balance().emitted / PhotonBlock; }
   std::optional<StopReason> RuleReached(const StopRules& rules) const;
   std::uint64_t NextRound(const StopRules& rules) const;
   std::optional<StopReason> TraceRound(const StopRules& rules, const ProgressMonitor& monitor);
@@ -92,11 +98,10 @@ private:
     const ProgressMonitor& monitor);
   void AddRow(const StopRules& rules);
   RunProgress ProgressTowards(const StopRules& rules, std::uint64_t blocksOfSlice);
-  IlluminationMap Side(std::vector<VertexSums> IlluminationSums::*side) const;
 
   const Scene& Surroundings;
   PhotonTracer Tracer;
-  std::vector<Replicate> Replicates;
+  ReplicateSums Sums;
   std::vector<Accuracy> Rows;
   double SecondsTraced = 0.0;
   double LargestFraction = 0.0;

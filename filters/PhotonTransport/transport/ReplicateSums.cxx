@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PhotonTransport/transport/ReplicateSums.h"
+
+#include "PhotonTransport/statistics/ReplicateStatistics.h"
+#include "PhotonTransport/transport/ParallelFor.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <numeric>
+
+namespace PhotonTransport
+{
+
+PhotonBalance ReplicateSums::Balance() const
+{
+  PhotonBalance balance;
+  for (const IlluminationSums& replicate : this->replicates)
+  {
+    balance += replicate.balance;
+  }
+  return balance;
+}
+
+double ReplicateSums::CutByWeightBound() const
+{
+  FixedPoint cut = 0;
+  for (const IlluminationSums& replicate : this->replicates)
+  {
+    cut += replicate.cutByWeightBound;
+  }
+  return FromCoarseFixedPoint(cut);
+}
+
+IlluminationMap ReplicateSums::Map(Side side, double flux, const std::vector<double>& areas) const
+{
+  const std::size_t vertices = areas.size();
+  IlluminationMap map{ std::vector<double>(vertices, 0.0), std::vector<double>(vertices, 0.0),
+    std::vector<double>(vertices, 0.0), std::vector<std::uint64_t>(vertices, 0) };
+  const auto emitted = static_cast<double>(this->Balance().emitted);
+  const auto evaluate = [&](std::size_t v)
+  {
+    VertexSums total;
+    ReplicateStatistics statistics;
+    for (const IlluminationSums& replicate : this->replicates)
+    {
+      const VertexSums& sums = (replicate.*side)[v];
+      const auto photons = static_cast<double>(replicate.balance.emitted);
+      total += sums;
+      statistics.Add(FromFixedPoint(sums.direct + sums.indirect) / photons, photons);
+    }
+    const double luxPerWeight = flux / areas[v];
+    map.direct[v] = luxPerWeight * FromFixedPoint(total.direct) / emitted;
+    map.indirect[v] = luxPerWeight * FromFixedPoint(total.indirect) / emitted;
+    map.standardError[v] = luxPerWeight * statistics.StandardError();
+    map.photonHits[v] = total.hits;
+  };
+  ParallelFor(0, vertices,
+    [&](const tbb::blocked_range<std::uint64_t>& range)
+    {
+      for (std::size_t v = range.begin(); v < range.end(); ++v)
+      {
+        if (areas[v] > 0.0 && emitted > 0.0)
+        {
+          evaluate(v);
+        }
+      }
+    });
+  return map;
+}
+
+GroupMeans ReplicateSums::FrontByGroups(double flux, const std::vector<double>& areas) const
+{
+  std::array<double, Groups> photons{};
+  for (std::size_t r = 0; r < this->replicates.size(); ++r)
+  {
+    photons[r % Groups] += static_cast<double>(this->replicates[r].balance.emitted);
+  }
+  if (*std::min_element(photons.begin(), photons.end()) == 0.0)
+  {
+    return {};
+  }
+  const double all = std::accumulate(photons.begin(), photons.end(), 0.0);
+  const auto meansOf = [&](std::size_t v, FixedPoint VertexSums::*part)
+  {
+    std::array<FixedPoint, Groups> sums{};
+    for (std::size_t r = 0; r < this->replicates.size(); ++r)
+    {
+      sums[r % Groups] += this->replicates[r].front[v].*part;
+    }
+    const FixedPoint total = std::accumulate(sums.begin(), sums.end(), FixedPoint{ 0 });
+    GroupValues means{};
+    double unweighted = 0.0;
+    for (std::size_t g = 0; g < Groups; ++g)
+    {
+      means[g] = FromFixedPoint(sums[g]) / photons[g];
+      unweighted += means[g] / Groups;
+    }
+    // Groups may differ in photons after a time limit; their plain mean must be that of the map.
+    const double shift = FromFixedPoint(total) / all - unweighted;
+    for (double& mean : means)
+    {
+      mean = flux / areas[v] * (mean + shift);
+    }
+    return means;
+  };
+  GroupMeans groups{ std::vector<GroupValues>(areas.size()),
+    std::vector<GroupValues>(areas.size()) };
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, areas.size()),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t v = range.begin(); v < range.end(); ++v)
+      {
+        if (areas[v] > 0.0)
+        {
+          groups.direct[v] = meansOf(v, &VertexSums::direct);
+          groups.indirect[v] = meansOf(v, &VertexSums::indirect);
+        }
+      }
+    });
+  return groups;
+}
+
+bool ReplicateSums::AreFull() const
+{
+  constexpr FixedPoint Quarter = FixedPoint{ 1 } << 61;
+  std::atomic<bool> full = false;
+  const auto look = [&](Side side)
+  {
+    const auto range = [&](const tbb::blocked_range<std::uint64_t>& vertices)
+    {
+      for (std::size_t v = vertices.begin(); v < vertices.end(); ++v)
+      {
+        FixedPoint sum = 0;
+        for (const IlluminationSums& replicate : this->replicates)
+        {
+          sum += (replicate.*side)[v].direct + (replicate.*side)[v].indirect;
+        }
+        if (sum >= Quarter)
+        {
+          full = true;
+        }
+      }
+    };
+    ParallelFor(0, (this->replicates.front().*side).size(), range);
+  };
+  look(&IlluminationSums::front);
+  look(&IlluminationSums::back);
+  return full;
+}
+
+} // namespace PhotonTransport

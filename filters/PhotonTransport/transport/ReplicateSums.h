@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PhotonTransport/registration/IlluminationMap.h"
+#include "PhotonTransport/registration/IlluminationSums.h"
+#include "PhotonTransport/statistics/GroupMeans.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace PhotonTransport
+{
+
+/// What the replicates of a run have summed up, and the maps that follow from it.
+struct ReplicateSums
+{
+  using Side = std::vector<VertexSums> IlluminationSums::*;
+
+  std::vector<IlluminationSums> replicates;
+
+  PhotonBalance Balance() const;
+  /// Weight that the bound cut off; times flux / photons it is in lm.
+  double CutByWeightBound() const;
+
+  /// E_i = (flux / N) V_i / A_i, DESIGN 4.1, and its standard error. @param flux lm. @param areas
+  /// [vertex] m^2.
+  IlluminationMap Map(Side side, double flux, const std::vector<double>& areas) const;
+
+  /// See IlluminationRun::FrontByGroups.
+  GroupMeans FrontByGroups(double flux, const std::vector<double>& areas) const;
+
+  /// Whether a vertex's sum over all replicates fills a quarter of its range: three times the
+  /// photons could take it beyond.
+  bool AreFull() const;
+};
+
+} // namespace PhotonTransport
