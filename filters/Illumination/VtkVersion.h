@@ -10,7 +10,12 @@
 inline bool AbortRequested(vtkAlgorithm* algorithm)
 {
 #if VTK_MAJOR_VERSION > 9 || (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION >= 3)
-  return algorithm->CheckAbort(); // looks downstream too
+  const bool requested = algorithm->CheckAbort(); // looks downstream too
+  if (requested)
+  {
+    algorithm->SetAbortOutput(false); // or the executive empties the output, which is valid
+  }
+  return requested;
 #else
   return algorithm->GetAbortExecute() != 0;
 #endif
