@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <tuple>
 
 /// How a case is traced: each is tried with all registrations, on one thread and on two.
 struct Way

@@ -4,7 +4,6 @@
 #include "PhotonTransport/filtration/Parallel.h"
 #include "PhotonTransport/sampling/Philox.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace PhotonTransport
