@@ -263,6 +263,12 @@ Prepared Prepare(const UniformSky& sky, const Scene& scene)
     CheckedAmount(sky.luminance, "luminance") * crossSection * solidAngle };
 }
 
+template <typename AnyLamp>
+Prepared Prepare(const AnyLamp&, const Scene&)
+{
+  RefuseLamp("to be written");
+}
+
 } // namespace
 
 Emitter::Emitter(const Lamp& lamp, const Scene& scene)

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/materials/Colour.h"
+#include "PhotonTransport/photometry/PhotometricSolid.h"
+
 #include <glm/vec3.hpp>
 
+#include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace PhotonTransport
 {
@@ -76,7 +82,77 @@ struct UniformSky
   bool wholeSphere = false;
 };
 
-using Lamp = std::variant<ParallelLight, PointLamp, LambertianPointLamp, SpotLamp, RectangleLamp,
-  DiskLamp, EmittingFacets, UniformSky>;
+/// The sky by ISO 15469:2004 / CIE S 011:2003, above the horizon only.
+struct CieSky
+{
+  glm::dvec3 up{ 0.0, 0.0, 1.0 };
+  int type = 1;                       ///< 1 to 15; 16 is the traditional overcast sky.
+  glm::dvec3 sun{ 0.0, -1.0, 1.0 };   ///< From the ground to the sun, above the horizon.
+  double horizontalIlluminance = 1e4; ///< lx of an unshaded horizontal plane, without the sun.
+};
+
+/// A ball of uniform luminance that stops no photons itself.
+struct SphereLamp
+{
+  glm::dvec3 centre{ 0.0 };
+  double radius = 1.0;
+  double flux = 1000.0;
+};
+
+/// A thin diffuse tube: intensity falls as the sine of the angle to its axis.
+struct LineLamp
+{
+  glm::dvec3 centre{ 0.0 };
+  glm::dvec3 axis{ 1.0, 0.0, 0.0 };
+  double length = 1.0;
+  double flux = 1000.0;
+};
+
+/// A point-like lamp with the intensities of a photometric file.
+struct PhotometricLamp
+{
+  glm::dvec3 position{ 0.0 };
+  /// Where the lamp aims: the nadir of type C, the centre of types A and B. Unturned, with the aim
+  /// along -z, azimuth 0 of type C is +x and azimuth 90 degrees is +y; other aims turn the lamp by
+  /// the shortest way (about x for +z).
+  glm::dvec3 direction{ 0.0, 0.0, -1.0 };
+  double rotation = 0.0; ///< Radians about the aim, turning +x towards +y before all else.
+  PhotometricSolid solid;
+  double scale = 1.0; ///< Times the solid's intensities, >= 0.
+};
+
+/// Triangles that shine diffusely to the side round which their corners run counter-clockwise.
+/// They stop no photons.
+struct EmittingMesh
+{
+  std::vector<glm::dvec3> points;
+  std::vector<glm::uvec3> facets;
+  std::vector<float> exitance; ///< lm/m^2, one a facet, >= 0.
+};
+
+using Lamp =
+  std::variant<ParallelLight, PointLamp, LambertianPointLamp, SpotLamp, RectangleLamp, DiskLamp,
+    EmittingFacets, UniformSky, CieSky, SphereLamp, LineLamp, PhotometricLamp, EmittingMesh>;
+
+/// A lamp with what concerns its place among others.
+struct Luminaire
+{
+  Lamp lamp;
+  std::string name;
+  Colour colour{ 1.0f }; ///< Of the light, in any scale; the flux is the lamp's. Not for facets
+                         ///< with colours of their own (Surface::exitanceColour).
+};
+
+/// All the light of a scene. At least one lamp.
+struct Lighting
+{
+  std::vector<Luminaire> luminaires;
+
+  Lighting() = default;
+  Lighting(Lamp lamp) // a single lamp is a lighting too
+    : luminaires{ { std::move(lamp), {} } }
+  {
+  }
+};
 
 } // namespace PhotonTransport

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PhotonTransport/photometry/PhotometricSolid.h"
+
+#include <istream>
+#include <stdexcept>
+#include <string>
+
+namespace PhotonTransport
+{
+
+/// A photometric file that can't be read. what() says what is wrong and which value; Line is where.
+class PhotometricFileError : public std::runtime_error
+{
+public:
+  PhotometricFileError(std::size_t line, const std::string& message)
+    : std::runtime_error("line " + std::to_string(line) + ": " + message)
+    , Line(line)
+  {
+  }
+  const std::size_t Line; ///< From 1.
+};
+
+/// IESNA LM-63 of 1991, 1995, 2002 and 2019 (and 1986, which has no format line): photometry types
+/// C, B and A with their symmetries, TILT (NONE, INCLUDE, or a file beside it), relative and
+/// absolute. @param folder Of the file, for TILT=name.
+PhotometricSolid ReadIes(std::istream& file, const std::string& folder = {});
+
+/// EULUMDAT (.ldt): symmetries 0 to 4, cd/klm times the flux of the lamps.
+PhotometricSolid ReadEulumdat(std::istream& file);
+
+/// By the name's extension: .ies, .ldt (or .eul), in any case. Throws std::runtime_error with the
+/// name for a file that can't be opened or is of another kind, and PhotometricFileError.
+PhotometricSolid ReadPhotometricFile(const std::string& path);
+
+} // namespace PhotonTransport

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace PhotonTransport
+{
+
+/// Luminous intensity around a lamp, bilinear in two angles about a pole; dark where no angle is
+/// given. Kinds of coordinates by IESNA LM-63 and CIE 121, for a lamp that aims along a:
+///  - C: the pole is the aim, (x, y) span the plane across it; d = cos p a + sin p (cos z x + sin z
+///    y), p the vertical angle.
+///  - A: the pole is y, the lamp's up; p = 90 - vertical angle, z = horizontal angle;
+///    d = cos p y + sin p (cos z a + sin z x).
+///  - B: the pole is x, the lamp's side; p = 90 - horizontal angle, z = vertical angle;
+///    d = cos p x + sin p (cos z a + sin z y).
+struct PhotometricSolid
+{
+  enum class Type
+  {
+    C,
+    B,
+    A
+  };
+
+  Type type = Type::C;
+  std::vector<double> polar;   ///< p, degrees, rising, in [0, 180]; two or more.
+  std::vector<double> azimuth; ///< z, degrees, rising, from first to last at most 360; two or more.
+  std::vector<double> candela; ///< [azimuth][polar], finite, >= 0, with all factors of the file.
+
+  double ratedFlux = 0.0;  ///< lm of the file's bare lamps together; 0 for absolute photometry.
+  double inputPower = 0.0; ///< W; 0 if not given.
+  double width = 0.0, length = 0.0, height = 0.0; ///< m, of the luminous opening; 0: a point.
+  std::string description; ///< Manufacturer, name and number as far as given, one line.
+};
+
+/// The flux of the bilinear solid, integrated exactly, lm.
+double Flux(const PhotometricSolid& solid);
+
+/// cd towards polar angle and azimuth, degrees.
+double Intensity(const PhotometricSolid& solid, double polar, double azimuth);
+
+} // namespace PhotonTransport
