@@ -41,11 +41,11 @@ struct Segment
 struct KeepHit
 {
   Segment& segment;
-  void operator()(
-    const PhotonTransport::Ray&, const PhotonTransport::Hit&, bool front, bool direct) const
+  void operator()(const PhotonTransport::Ray&, const PhotonTransport::Hit&, bool front,
+    const PhotonTransport::PhotonOrigin& origin) const
   {
     this->segment.front = front;
-    this->segment.direct = direct;
+    this->segment.direct = origin.direct;
   }
 };
 
@@ -56,22 +56,25 @@ inline std::vector<Segment> RecordSegments(const PhotonTransport::Scene& scene,
 {
   const PhotonTransport::Emitter emitter(lamp, scene);
   const PhotonTransport::SequenceKey key{ settings.seed, 0, settings.sampling };
-  const PhotonTransport::WalkSettings walk{ scene, emitter, key, settings.maximumPathLength };
+  const PhotonTransport::FacetRoulettes none; // diffuse reflection only
+  const PhotonTransport::WalkSettings walk{ scene, none, emitter, key, settings.maximumPathLength,
+    settings.scatterings };
   std::vector<Segment> segments;
   PhotonTransport::PhotonBalance balance;
   PhotonTransport::PhotonSample sample(key, 0);
   for (std::uint64_t photon = 0; photon < photons; ++photon, sample.Advance())
   {
-    PhotonTransport::Flight flight{ sample.Scatterings(), 0 };
+    PhotonTransport::Flight flight{ sample.Scatterings(), 0, {} };
     Segment segment;
-    PhotonTransport::Ray next = emitter.Emit(sample);
+    PhotonTransport::Ray next = emitter.Emit(sample).ray;
     bool goesOn = true;
     while (goesOn)
     {
       segment.ray = next;
       scene.Intersect(&segment.ray, &segment.hit, 1);
       goesOn =
-        PhotonTransport::Arrive<true>(flight, next, segment.hit, walk, KeepHit{ segment }, balance);
+        PhotonTransport::Arrive<PhotonTransport::Walk::Diffuse>(
+          flight, next, segment.hit, walk, KeepHit{ segment }, balance);
       segments.push_back(segment);
     }
   }

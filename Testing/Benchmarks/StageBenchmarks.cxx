@@ -105,7 +105,8 @@ void RegistrationOf(benchmark::State& state)
 {
   const Stage& stage = StageOf(state);
   IlluminationSums sums(stage.scene.Vertices().size(), false);
-  const Registrar<Kind, false> registrar(stage.scene, TraceSettings().weightBound, sums);
+  LightLayers none;
+  const Registrar<Kind, false> registrar(stage.scene, TraceSettings().weightBound, sums, none);
   std::size_t first = 0;
   for (auto _ : state)
   {
@@ -120,7 +121,8 @@ void RegistrationOf(benchmark::State& state)
     }
     for (std::size_t i = 0; i < Batch; ++i)
     {
-      registrar(batch[i].ray, batch[i].hit, batch[i].front, batch[i].direct);
+      registrar(
+        batch[i].ray, batch[i].hit, batch[i].front, PhotonOrigin{ 0, 0, batch[i].direct });
     }
     first = (first + Batch) % stage.segments.size();
   }
@@ -179,15 +181,17 @@ void Block(benchmark::State& state)
   const Stage& stage = StageOf(state);
   const Emitter emitter(Bulb, stage.scene);
   const TraceSettings usual;
-  const WalkSettings walk{ stage.scene, emitter, { usual.seed, 0, usual.sampling },
-    usual.maximumPathLength };
+  const FacetRoulettes materials; // diffuse reflection only
+  const WalkSettings walk{ stage.scene, materials, emitter, { usual.seed, 0, usual.sampling },
+    usual.maximumPathLength, usual.scatterings };
+  LightLayers none;
   IlluminationSums sums(stage.scene.Vertices().size(), false);
   const Registrar<Registration::VertexNormalised, false> registrar(
-    stage.scene, usual.weightBound, sums);
+    stage.scene, usual.weightBound, sums, none);
   std::uint64_t first = 0;
   for (auto _ : state)
   {
-    WalkPhotons<true>(walk, first, first + PhotonBlock, registrar, sums.balance);
+    WalkPhotons<Walk::Diffuse>(walk, first, first + PhotonBlock, registrar, sums.balance);
     first += PhotonBlock;
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(sums.balance.segments));

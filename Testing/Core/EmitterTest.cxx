@@ -26,7 +26,7 @@ void ForPhotons(const Emitter& emitter, int count, const std::function<void(cons
   PhotonSample sample({ 1, 0, Sampling::Sobol }, 0);
   for (int i = 0; i < count; ++i, sample.Advance())
   {
-    f(emitter.Emit(sample));
+    f(emitter.Emit(sample).ray);
   }
 }
 

@@ -107,7 +107,7 @@ TEST(Scene, DropsFacetsWithoutArea)
   const Scene scene(surface);
   EXPECT_EQ(scene.Notes().droppedFacets, 1u);
   EXPECT_EQ(scene.Facets().size(), facets);
-  EXPECT_EQ(scene.Notes().reflectingFacets, 0u);
+  EXPECT_EQ(scene.Notes().scatteringFacets[0], 0u);
 }
 
 // A third of every facet's area belongs to each corner, in square metres whatever the unit.

@@ -186,7 +186,7 @@ TraceSettings DrawSettings()
   settings.sampling = OneIn(2) ? Sampling::Random : Sampling::Sobol;
   settings.registration =
     OneOf({ Registration::VertexNormalised, Registration::FacetRatio, Registration::Flat });
-  settings.interreflection = !OneIn(8);
+  settings.scatterings = OneIn(8) ? 0u : AllScatterings;
   settings.registerBackSide = OneIn(2);
   settings.weightBound = OneOf({ 16.0f, 1.0f, 2.5f, 0x1p20f });
   settings.maximumPathLength = OneOf({ 20u, 1u, 2u, 200u });

@@ -77,8 +77,8 @@ std::ostream& operator<<(std::ostream& out, const RandomScene& scene)
   out << "\n  " << surface.metresPerUnit << " m per unit\n  lamp: ";
   std::visit(DescribeLamp{ out }, scene.lamp);
   return out << "\n  seed " << s.seed << ", sampling " << static_cast<int>(s.sampling)
-             << ", registration " << static_cast<int>(s.registration) << ", interreflection "
-             << s.interreflection << ", back " << s.registerBackSide << ", bound " << s.weightBound
+             << ", registration " << static_cast<int>(s.registration) << ", scatterings "
+             << s.scatterings << ", back " << s.registerBackSide << ", bound " << s.weightBound
              << ", longest path " << s.maximumPathLength << ", threads " << s.threads
              << "\n  mistake: " << (scene.mistake.empty() ? "none" : scene.mistake);
 }

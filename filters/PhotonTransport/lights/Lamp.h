@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include <string>
-#include <utility>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -149,8 +149,11 @@ struct Lighting
   std::vector<Luminaire> luminaires;
 
   Lighting() = default;
-  Lighting(Lamp lamp) // a single lamp is a lighting too
-    : luminaires{ { std::move(lamp), {} } }
+  /// A single lamp, of any kind, is a lighting too.
+  template <typename AnyLamp,
+    typename = std::enable_if_t<std::is_constructible_v<Lamp, const AnyLamp&>>>
+  Lighting(const AnyLamp& lamp)
+    : luminaires{ Luminaire{ lamp, {}, Colour(1.0f) } }
   {
   }
 };

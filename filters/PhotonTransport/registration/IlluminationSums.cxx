@@ -27,4 +27,13 @@ void MoveInto(IlluminationSums& total, IlluminationSums& part)
   part.balance = {};
 }
 
+void MoveInto(LightLayers& total, LightLayers& part)
+{
+  for (std::size_t i = 0; i < total.sums.size(); ++i)
+  {
+    total.sums[i] += part.sums[i];
+    part.sums[i] = 0;
+  }
+}
+
 } // namespace PhotonTransport

@@ -73,4 +73,29 @@ struct IlluminationSums
 /// Adds `part` to `total` and clears it for the next use.
 void MoveInto(IlluminationSums& total, IlluminationSums& part);
 
+/// Parts of the light on the front that are kept apart: by colour, by lamp. Not by replicate, so
+/// without standard errors of their own.
+struct LightLayers
+{
+  static constexpr std::size_t Channels = 3;
+
+  LightLayers() = default;
+  /// @param lamps 0 keeps no lamps apart.
+  LightLayers(std::size_t vertices, bool colour, std::size_t lamps)
+    : firstLamp(colour ? Channels : 0)
+    , perVertex(firstLamp + lamps)
+    , sums(vertices * perVertex, 0)
+  {
+  }
+
+  bool HasColour() const { return this->firstLamp > 0; }
+  bool HasLamps() const { return this->perVertex > this->firstLamp; }
+
+  std::size_t firstLamp = 0; ///< Channels, if there are any, come before the lamps.
+  std::size_t perVertex = 0;
+  std::vector<FixedPoint> sums; ///< [vertex][layer]
+};
+
+void MoveInto(LightLayers& total, LightLayers& part);
+
 } // namespace PhotonTransport

@@ -54,9 +54,16 @@ glm::vec3 HitWeights(
   else if constexpr (Kind == Registration::FacetRatio)
   {
     glm::vec3 smooth(0.0f);
+    int flatCorners = 0;
     for (int corner = 0; corner < 3; ++corner)
     {
-      smooth += barycentric[corner] * scene.Vertices()[facet.vertices[corner]].normal;
+      const Vertex& vertex = scene.Vertices()[facet.vertices[corner]];
+      smooth += barycentric[corner] * vertex.normal;
+      flatCorners += vertex.IsFlat();
+    }
+    if (flatCorners == 3)
+    {
+      return barycentric;
     }
     const float length = glm::length(smooth);
     const float cosSmooth = glm::dot(towards, smooth);
@@ -75,6 +82,11 @@ glm::vec3 HitWeights(
     {
       const std::uint32_t v = facet.vertices[corner];
       const Vertex& vertex = scene.Vertices()[v];
+      if (vertex.IsFlat())
+      {
+        weights[corner] = barycentric[corner];
+        continue;
+      }
       const float cosine = glm::dot(towards, vertex.normal);
       if (!(cosine > 0.0f))
       {
@@ -90,28 +102,37 @@ glm::vec3 HitWeights(
   }
 }
 
+/// What registration wants to know of a photon's past.
+struct PhotonOrigin
+{
+  std::uint32_t lamp = 0;
+  std::uint16_t channel = 0;
+  bool direct = true; ///< From the lamp, through panes at most.
+};
+
 /// Adds hits to one thread's sums.
 template <Registration Kind, bool BackSide>
 class Registrar
 {
 public:
   /// @param weightBound Largest factor by which compensation may raise a hit; >= 1.
-  Registrar(const Scene& scene, float weightBound, IlluminationSums& sums)
+  Registrar(const Scene& scene, float weightBound, IlluminationSums& sums, LightLayers& layers)
     : Surroundings(scene)
     , WeightBound(weightBound)
     , Sums(sums)
+    , Layers(layers)
   {
   }
 
-  void operator()(const Ray& ray, const Hit& hit, bool front, bool direct) const
+  void operator()(const Ray& ray, const Hit& hit, bool front, const PhotonOrigin& photon) const
   {
     if (front)
     {
-      this->Register(hit, -ray.direction, direct, this->Sums.front);
+      this->Register(hit, -ray.direction, photon, this->Sums.front, this->Layers.perVertex > 0);
     }
     else if constexpr (BackSide)
     {
-      this->Register(hit, ray.direction, direct, this->Sums.back);
+      this->Register(hit, ray.direction, photon, this->Sums.back, false);
     }
   }
 
@@ -130,8 +151,8 @@ public:
   }
 
 private:
-  void Register(
-    const Hit& hit, const glm::vec3& towards, bool direct, std::vector<VertexSums>& map) const
+  void Register(const Hit& hit, const glm::vec3& towards, const PhotonOrigin& photon,
+    std::vector<VertexSums>& map, bool layers) const
   {
     const Facet& facet = this->Surroundings.Facets()[hit.facet];
     const glm::vec3 weights = HitWeights<Kind>(this->Surroundings, facet, hit.barycentric, towards);
@@ -148,14 +169,33 @@ private:
         }
       }
       VertexSums& vertex = map[facet.vertices[corner]];
-      (direct ? vertex.direct : vertex.indirect) += ToFixedPoint(weight);
+      const FixedPoint rounded = ToFixedPoint(weight);
+      (photon.direct ? vertex.direct : vertex.indirect) += rounded;
       ++vertex.hits;
+      if (layers)
+      {
+        this->AddToLayers(facet.vertices[corner], photon, rounded);
+      }
+    }
+  }
+
+  void AddToLayers(std::uint32_t vertex, const PhotonOrigin& photon, FixedPoint weight) const
+  {
+    FixedPoint* own = &this->Layers.sums[vertex * this->Layers.perVertex];
+    if (this->Layers.HasColour())
+    {
+      own[photon.channel] += weight;
+    }
+    if (this->Layers.HasLamps())
+    {
+      own[this->Layers.firstLamp + photon.lamp] += weight;
     }
   }
 
   const Scene& Surroundings;
   float WeightBound;
   IlluminationSums& Sums;
+  LightLayers& Layers;
 };
 
 } // namespace PhotonTransport

@@ -78,9 +78,16 @@ public:
 
   /// Dimension `d` of the emission, in [0, 1): 0 and 1, 2 and 3 are the best stratified pairs.
   float Emission(unsigned d) const { return UnitFloat(this->Leading(d)); }
-  static constexpr unsigned FacetDimension = 4;
+  static constexpr unsigned ChoiceDimension = 4;
   /// The same as a 32-bit fraction, for choosing among many.
   std::uint32_t EmissionBits(unsigned d) const { return this->Leading(d); }
+
+  /// In [0, 1): decides the photon's colour, where it has one.
+  float ChannelNumber() const
+  {
+    constexpr std::uint32_t ChannelBlock = 0xfffffffdu; // that no scattering order reaches
+    return UnitFloat(PhotonRandom(this->Key, this->Index, ChannelBlock)[0]);
+  }
 
   ScatteringNumbers Scatterings() const
   {

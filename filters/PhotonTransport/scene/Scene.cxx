@@ -17,12 +17,6 @@ namespace PhotonTransport
 namespace
 {
 
-/// How far a ray starts above its facet, scene units: 32 units in the last place of a coordinate
-/// near 1. Points on a facet come from barycentric coordinates, which keeps them within about 3
-/// such units of its plane (Waechter and Binder, "A Fast and Robust Method for Avoiding
-/// Self-Intersection", Ray Tracing Gems, 2019, measure the same error and add a wide reserve).
-constexpr float OriginOffset = 0x1p-19f;
-
 /// How far from the facet's edges, in offsets. A start lifted off one wall of an acute corner would
 /// land behind the other wall if it were closer than offset * cot(angle): 4 serves down to 14
 /// degrees, where the plain offset lets rays out.
@@ -130,8 +124,6 @@ void Scene::AddFacets(const Surface& surface, const std::vector<glm::vec3>& posi
 {
   this->FacetRecords.reserve(surface.facets.size());
   this->FacetAreas.reserve(surface.facets.size());
-  const bool emits = std::any_of(surface.exitance.begin(), surface.exitance.end(),
-    [](float exitance) { return exitance > 0.0f; });
   for (std::size_t f = 0; f < surface.facets.size(); ++f)
   {
     const glm::uvec3& ids = surface.facets[f];
@@ -154,18 +146,57 @@ void Scene::AddFacets(const Surface& surface, const std::vector<glm::vec3>& posi
       areaVector = -areaVector;
       ++this->Found.turnedFacets;
     }
-    this->Found.reflectingFacets += surface.reflectance[f] > 0.0f;
+    const float reflectance = surface.materials.empty()
+      ? surface.reflectance[f]
+      : Luminous(surface.materials[surface.materialOfFacet[f]].diffuseReflectance);
     this->FacetRecords.push_back(
-      { ids, surface.reflectance[f], glm::vec3(areaVector / area), EdgeMargin(a, b, c, area) });
+      { ids, reflectance, glm::vec3(areaVector / area), EdgeMargin(a, b, c, area) });
     this->FacetAreas.emplace_back(areaVector);
-    if (emits)
-    {
-      this->FacetExitance.push_back(surface.exitance[f]);
-    }
+    this->AddFacetLight(surface, f);
   }
+  this->FacetMaterials = surface.materials;
+  this->CountScatterings();
   if (this->FacetRecords.empty())
   {
     throw InvalidInput(InvalidInput::Where::Surface, 0, "every triangle has zero area");
+  }
+}
+
+void Scene::AddFacetLight(const Surface& surface, std::size_t facet)
+{
+  if (!surface.materials.empty())
+  {
+    this->FacetMaterial.push_back(surface.materialOfFacet[facet]);
+  }
+  if (!surface.exitance.empty())
+  {
+    this->FacetExitance.push_back(surface.exitance[facet]);
+  }
+  if (!surface.exitanceColour.empty())
+  {
+    this->FacetExitanceColour.push_back(surface.exitanceColour[facet]);
+  }
+}
+
+/// Which facets call for which effects.
+void Scene::CountScatterings()
+{
+  std::vector<ScatteringSet> ways(this->FacetMaterials.size());
+  std::transform(
+    this->FacetMaterials.begin(), this->FacetMaterials.end(), ways.begin(), ScatteringsOf);
+  for (std::size_t f = 0; f < this->FacetRecords.size(); ++f)
+  {
+    const bool diffuse = this->FacetRecords[f].reflectance > 0.0f;
+    const ScatteringSet set = ways.empty() ? (diffuse ? SetOf(Scattering::DiffuseReflection) : 0u)
+                                           : ways[this->FacetMaterial[f]];
+    for (unsigned s = 0; s < Scatterings; ++s)
+    {
+      this->Found.scatteringFacets[s] += (set >> s) & 1u;
+    }
+    const bool coloured =
+      (!ways.empty() && IsColoured(this->FacetMaterials[this->FacetMaterial[f]])) ||
+      (!this->FacetExitanceColour.empty() && !IsGrey(this->FacetExitanceColour[f]));
+    this->Found.colouredFacets += coloured;
   }
 }
 
@@ -251,9 +282,10 @@ Vertex Scene::MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const g
   }
   const double sinTilt =
     leastCosine > 0.0 ? std::sqrt(std::max(0.0, 1.0 - leastCosine * leastCosine)) : 2.0;
-  this->Found.tiltedVertices += sinTilt > NoTilt;
-  return { position, glm::vec3(normal), glm::vec3(areaVectors / areas), static_cast<float>(sinTilt),
-    static_cast<float>(1.0 / areas) };
+  const bool flat = sinTilt <= NoTilt;
+  this->Found.tiltedVertices += !flat;
+  return { position, glm::vec3(normal), glm::vec3(areaVectors / areas),
+    flat ? -1.0f : static_cast<float>(sinTilt), static_cast<float>(1.0 / areas) };
 }
 
 void Scene::BuildBvh(const std::vector<glm::vec3>& positions)

@@ -3,11 +3,13 @@
 
 #include "PhotonTransport/geometry/FacetRings.h"
 #include "PhotonTransport/geometry/Placement.h"
+#include "PhotonTransport/materials/Scattering.h"
 #include "PhotonTransport/scene/EmbreeScene.h"
 #include "PhotonTransport/scene/Surface.h"
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -15,12 +17,18 @@
 namespace PhotonTransport
 {
 
+/// How far a ray starts above its facet, scene units: 32 units in the last place of a coordinate
+/// near 1. Points on a facet come from barycentric coordinates, which keeps them within about 3
+/// such units of its plane (Waechter and Binder, "A Fast and Robust Method for Avoiding
+/// Self-Intersection", Ray Tracing Gems, 2019, measure the same error and add a wide reserve).
+constexpr float OriginOffset = 0x1p-19f;
+
 /// What the walk needs of a facet, in one half of a cache line.
 struct alignas(32) Facet
 {
   glm::uvec3 vertices;
-  float reflectance;
-  glm::vec3 normal; ///< Unit, on the side of the vertex normals (the front).
+  float reflectance; ///< Diffuse, luminous.
+  glm::vec3 normal;  ///< Unit, on the side of the vertex normals (the front).
   /// Least barycentric coordinate at which a reflected ray may start; see SafeOrigin.
   float margin;
 };
@@ -33,9 +41,13 @@ struct alignas(64) Vertex
   /// Mean area vector over area, (1/3 sum a_f) / (1/3 sum |a_f|), over the ring.
   glm::vec3 shownArea;
   /// Sine of the largest angle between the normal and the ring's facet normals; 2 where that is
-  /// 90 degrees or more. Light with -w.n >= sinTilt meets every facet of the ring from the front.
+  /// 90 degrees or more, and below 0 for a ring as flat as its normal, which needs no compensation.
+  /// Light with -w.n >= sinTilt meets every facet of the ring from the front.
   float sinTilt;
   float inverseThreeAreas; ///< 1 / sum |a_f|; 0 for a vertex without a facet.
+
+  /// Its registration is Flat's, whatever the kind.
+  bool IsFlat() const { return this->sinTilt < 0.0f; }
 };
 
 /// Area vectors of four facets of a ring, by component, so that four cosines are one operation;
@@ -52,7 +64,9 @@ struct SceneNotes
   std::size_t droppedFacets = 0;   ///< No area that a float can hold: they can't be hit.
   std::size_t replacedNormals = 0; ///< Zero or not finite: the ring's mean normal instead.
   std::size_t tiltedVertices = 0;  ///< Normal differs from some facet's around it.
-  std::size_t reflectingFacets = 0;
+  /// Facets that scatter light in each way, by Scattering.
+  std::array<std::size_t, Scatterings> scatteringFacets{};
+  std::size_t colouredFacets = 0; ///< Reflecting, transmitting or shining unequally by channel.
 };
 
 /// The validated, immutable scene: geometry in [-1, 1], per-facet and per-vertex records, BVH.
@@ -106,6 +120,12 @@ public:
   const std::vector<glm::vec3>& AreaVectors() const { return this->FacetAreas; }
   /// lm/m^2 of each facet's front; empty if no facet emits.
   const std::vector<float>& Exitance() const { return this->FacetExitance; }
+  /// Of it; empty if none emits with a colour.
+  const std::vector<Colour>& ExitanceColour() const { return this->FacetExitanceColour; }
+  /// Empty where facets do no more than reflect diffusely, by Facet::reflectance.
+  const std::vector<Material>& Materials() const { return this->FacetMaterials; }
+  /// Index into Materials, by facet.
+  const std::vector<std::uint32_t>& MaterialOfFacet() const { return this->FacetMaterial; }
   /// A_i = 1/3 sum |a_f| over the ring, m^2.
   const std::vector<double>& VertexAreas() const { return this->Areas; }
   /// Scene area times this is in m^2.
@@ -115,6 +135,8 @@ public:
 
 private:
   void RequireSize() const;
+  void AddFacetLight(const Surface& surface, std::size_t facet);
+  void CountScatterings();
   void AddFacets(const Surface& surface, const std::vector<glm::vec3>& positions);
   void AddVertices(const Surface& surface, const std::vector<glm::vec3>& positions);
   void ReserveRingAreas(std::size_t vertices);
@@ -129,6 +151,9 @@ private:
   std::vector<Facet> FacetRecords;
   std::vector<glm::vec3> FacetAreas;
   std::vector<float> FacetExitance;
+  std::vector<Colour> FacetExitanceColour;
+  std::vector<Material> FacetMaterials;
+  std::vector<std::uint32_t> FacetMaterial;
   FacetRings VertexRings;
   std::vector<RingAreas> AreasByRing;
   std::vector<std::uint64_t> FirstAreas; ///< Of each vertex in AreasByRing, and their number.

@@ -3,9 +3,12 @@
 
 #include "PhotonTransport/scene/InvalidInput.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace PhotonTransport
 {
@@ -15,12 +18,18 @@ namespace
 using Where = InvalidInput::Where;
 
 template <typename... Parts>
+std::string Text(const Parts&... parts)
+{
+  std::ostringstream text;
+  text.precision(std::numeric_limits<float>::max_digits10);
+  (text << ... << parts);
+  return text.str();
+}
+
+template <typename... Parts>
 [[noreturn]] void Refuse(Where where, std::size_t index, const Parts&... parts)
 {
-  std::ostringstream message;
-  message.precision(std::numeric_limits<float>::max_digits10);
-  (message << ... << parts);
-  throw InvalidInput(where, index, message.str());
+  throw InvalidInput(where, index, Text(parts...));
 }
 
 void ValidateSizes(const Surface& surface)
@@ -41,16 +50,24 @@ void ValidateSizes(const Surface& surface)
     Refuse(Where::Surface, 0, "there are ", surface.normals.size(), " normals for ",
       surface.points.size(), " points");
   }
-  if (surface.reflectance.size() != facets)
+  const auto requireOneEach = [&](std::size_t count, const char* what)
   {
-    Refuse(Where::Surface, 0, "there are ", surface.reflectance.size(), " reflectances for ",
-      facets, " triangles");
-  }
-  if (!surface.exitance.empty() && surface.exitance.size() != facets)
+    if (count != facets)
+    {
+      Refuse(Where::Surface, 0, "there are ", count, " ", what, " for ", facets, " triangles");
+    }
+  };
+  if (surface.materials.empty())
   {
-    Refuse(Where::Surface, 0, "there are ", surface.exitance.size(), " exitances for ", facets,
-      " triangles");
+    requireOneEach(surface.reflectance.size(), "reflectances");
   }
+  else
+  {
+    requireOneEach(surface.materialOfFacet.size(), "indices of materials");
+  }
+  requireOneEach(surface.exitance.empty() ? facets : surface.exitance.size(), "exitances");
+  requireOneEach(
+    surface.exitanceColour.empty() ? facets : surface.exitanceColour.size(), "exitance colours");
   if (!(surface.metresPerUnit > 0.0) || !std::isfinite(surface.metresPerUnit))
   {
     Refuse(Where::TraceSettings, 0, "metres per unit is ", surface.metresPerUnit,
@@ -58,11 +75,98 @@ void ValidateSizes(const Surface& surface)
   }
 }
 
+/// @param problems Of each material.
+void ValidateMaterial(
+  const Surface& surface, std::size_t f, const std::vector<std::string>& problems)
+{
+  if (surface.materials.empty())
+  {
+    const float reflectance = surface.reflectance[f];
+    if (!(reflectance >= 0.0f && reflectance <= 1.0f)) // NaN too
+    {
+      Refuse(Where::Facet, f, "reflectance ", reflectance, " is outside [0, 1]");
+    }
+    return;
+  }
+  const std::uint32_t material = surface.materialOfFacet[f];
+  if (material >= surface.materials.size())
+  {
+    Refuse(Where::Facet, f, "it has material ", material, " of ", surface.materials.size());
+  }
+  if (!problems[material].empty())
+  {
+    Refuse(Where::Facet, f, problems[material]);
+  }
+}
+
+void ValidateExitance(const Surface& surface, std::size_t f)
+{
+  const auto require = [&](float value, const char* what)
+  {
+    if (!(value >= 0.0f && std::isfinite(value)))
+    {
+      Refuse(Where::Facet, f, what, value, " lm/m^2 is not a finite number >= 0");
+    }
+  };
+  if (!surface.exitance.empty())
+  {
+    require(surface.exitance[f], "exitance ");
+  }
+  for (int c = 0; c < 3 && !surface.exitanceColour.empty(); ++c)
+  {
+    require(surface.exitanceColour[f][c], "exitance ");
+  }
+}
+
 } // namespace
+
+std::string ProblemOf(const Material& material)
+{
+  const std::pair<const char*, const Colour&> shares[] = { { "diffuse reflectance",
+                                                             material.diffuseReflectance },
+    { "specular reflectance", material.specularReflectance },
+    { "glossy reflectance", material.glossyReflectance },
+    { "diffuse transmittance", material.diffuseTransmittance },
+    { "clear transmittance", material.clearTransmittance } };
+  const bool grey = std::all_of(
+    std::begin(shares), std::end(shares), [](const auto& share) { return IsGrey(share.second); });
+  for (int c = 0; c < 3; ++c)
+  {
+    constexpr const char* Channels[] = { " (red)", " (green)", " (blue)" };
+    const char* channel = grey ? "" : Channels[c];
+    double sum = 0.0;
+    for (const auto& [name, share] : shares)
+    {
+      if (!(share[c] >= 0.0f && share[c] <= 1.0f)) // negated comparisons refuse NaN too
+      {
+        return Text(name, " ", share[c], channel, " is outside [0, 1]");
+      }
+      sum += double{ share[c] };
+    }
+    constexpr double Rounding = 1e-6;
+    if (sum > 1.0 + Rounding)
+    {
+      return Text("reflectances and transmittances", channel, " sum to ", sum, ", more than 1");
+    }
+  }
+  if (!(material.roughness > 0.0f && material.roughness <= 1.0f))
+  {
+    return Text("roughness ", material.roughness, " is outside (0, 1]");
+  }
+  if (!(material.refractiveIndex >= 1.0f && material.refractiveIndex <= 4.0f))
+  {
+    return Text("refractive index ", material.refractiveIndex, " is outside [1, 4]");
+  }
+  return {};
+}
 
 void Validate(const Surface& surface)
 {
   ValidateSizes(surface);
+  std::vector<std::string> problems;
+  problems.reserve(surface.materials.size());
+  std::transform(
+    surface.materials.begin(), surface.materials.end(), std::back_inserter(problems), ProblemOf);
   for (std::size_t f = 0; f < surface.facets.size(); ++f)
   {
     for (int corner = 0; corner < 3; ++corner)
@@ -78,17 +182,8 @@ void Validate(const Surface& surface)
         Refuse(Where::Point, p, "its coordinates (", x.x, ", ", x.y, ", ", x.z, ") are not finite");
       }
     }
-    // Negated comparisons refuse NaN too.
-    if (!(surface.reflectance[f] >= 0.0f && surface.reflectance[f] <= 1.0f))
-    {
-      Refuse(Where::Facet, f, "reflectance ", surface.reflectance[f], " is outside [0, 1]");
-    }
-    if (!surface.exitance.empty() &&
-      !(surface.exitance[f] >= 0.0f && std::isfinite(surface.exitance[f])))
-    {
-      Refuse(
-        Where::Facet, f, "exitance ", surface.exitance[f], " lm/m^2 is not a finite number >= 0");
-    }
+    ValidateMaterial(surface, f, problems);
+    ValidateExitance(surface, f);
   }
 }
 

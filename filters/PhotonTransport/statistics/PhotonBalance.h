@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/materials/Scattering.h"
+
+#include <array>
 #include <cstdint>
 
 namespace PhotonTransport
@@ -12,8 +15,10 @@ struct PhotonBalance
   std::uint64_t emitted = 0;
   std::uint64_t absorbed = 0; ///< Ended by Russian roulette at a surface.
   std::uint64_t escaped = 0;  ///< Left the scene without a further hit.
-  std::uint64_t cutOff = 0;   ///< Survived, but reached the path length limit.
+  std::uint64_t cutOff = 0;   ///< Would have gone on, but for the path length limit or a switch.
   std::uint64_t segments = 0; ///< Rays traced.
+  /// Part of cutOff: what effects that are switched off would have carried, by Scattering.
+  std::array<std::uint64_t, Scatterings> switchedOff{};
 
   PhotonBalance& operator+=(const PhotonBalance& other)
   {
@@ -22,6 +27,10 @@ struct PhotonBalance
     this->escaped += other.escaped;
     this->cutOff += other.cutOff;
     this->segments += other.segments;
+    for (unsigned s = 0; s < Scatterings; ++s)
+    {
+      this->switchedOff[s] += other.switchedOff[s];
+    }
     return *this;
   }
 };

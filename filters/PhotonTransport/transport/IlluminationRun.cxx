@@ -76,10 +76,11 @@ void Validate(const StopRules& rules)
 }
 
 IlluminationRun::IlluminationRun(
-  const Scene& scene, const Lamp& lamp, const TraceSettings& settings)
+  const Scene& scene, const Lighting& lighting, const TraceSettings& settings)
   : Surroundings(scene)
-  , Tracer(scene, lamp, settings)
+  , Tracer(scene, lighting, settings)
   , Sums{ std::vector<IlluminationSums>(settings.replicates, this->Tracer.EmptySums()) }
+  , Layers(this->Tracer.EmptyLayers())
 {
 }
 
@@ -178,7 +179,7 @@ bool IlluminationRun::TraceSlice(
   const Monitor report = [&](std::uint64_t done)
   { return monitor(this->ProgressTowards(rules, done)); };
   this->Whole = this->Tracer.Trace(number, this->BlocksOf(number), count,
-    this->Sums.replicates[number], monitor ? report : Monitor());
+    this->Sums.replicates[number], monitor ? report : Monitor(), &this->Layers);
   return this->Whole;
 }
 
@@ -216,6 +217,49 @@ RunProgress IlluminationRun::ProgressTowards(const StopRules& rules, std::uint64
   // Predictions change their mind; a progress bar must not.
   this->LargestFraction = std::clamp(fraction, this->LargestFraction, 1.0);
   return { this->LargestFraction, seconds * (1.0 / this->LargestFraction - 1.0) };
+}
+
+double IlluminationRun::LuxOfLayer(std::size_t vertex, std::size_t layer) const
+{
+  const auto emitted = static_cast<double>(this->Balance().emitted);
+  const double area = this->Surroundings.VertexAreas()[vertex];
+  const FixedPoint sum = this->Layers.sums[vertex * this->Layers.perVertex + layer];
+  return emitted > 0.0 && area > 0.0 ? this->Flux() / emitted * FromFixedPoint(sum) / area : 0.0;
+}
+
+std::vector<Colour> IlluminationRun::FrontByColour() const
+{
+  std::vector<Colour> front;
+  for (std::size_t v = 0; v < this->Surroundings.Vertices().size() && this->Layers.HasColour(); ++v)
+  {
+    Colour lux;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double luminous = this->LuxOfLayer(v, static_cast<std::size_t>(c));
+      lux[c] = static_cast<float>(luminous / LuminousWeights[c]);
+    }
+    front.push_back(lux);
+  }
+  return front;
+}
+
+std::vector<double> IlluminationRun::FrontOfLamp(std::size_t lamp) const
+{
+  std::vector<double> front(this->Surroundings.Vertices().size(), 0.0);
+  for (std::size_t v = 0; v < front.size() && this->Layers.HasLamps(); ++v)
+  {
+    front[v] = this->LuxOfLayer(v, this->Layers.firstLamp + lamp);
+  }
+  return front;
+}
+
+double IlluminationRun::FluxSwitchedOff(Scattering scattering) const
+{
+  const PhotonBalance balance = this->Balance();
+  const auto photons = balance.switchedOff[static_cast<unsigned>(scattering)];
+  return balance.emitted > 0
+    ? this->Flux() / static_cast<double>(balance.emitted) * static_cast<double>(photons)
+    : 0.0;
 }
 
 double IlluminationRun::FluxCutByWeightBound() const

@@ -50,7 +50,7 @@ class IlluminationRun
 {
 public:
   /// See PhotonTracer. @param scene Must outlive the run.
-  IlluminationRun(const Scene& scene, const Lamp& lamp, const TraceSettings& settings);
+  IlluminationRun(const Scene& scene, const Lighting& lighting, const TraceSettings& settings);
 
   /// Traces until a rule ends it, counting what was traced before. However it ends, there is a
   /// valid map. The time limit is looked at between slices of the work, an abort within them.
@@ -71,9 +71,17 @@ public:
     return this->Sums.FrontByGroups(this->Flux(), this->Surroundings.VertexAreas());
   }
 
+  /// The front's light by colour, lx: [vertex], a light's three channels being equal where it is
+  /// white; by LuminousWeights they make up Front(). Empty where the scene calls for no colour.
+  std::vector<Colour> FrontByColour() const;
+  /// The front's light from one luminaire, lx. Only if the settings ask for lamps apart.
+  std::vector<double> FrontOfLamp(std::size_t lamp) const;
+
   PhotonBalance Balance() const { return this->Sums.Balance(); }
   double Flux() const { return this->Tracer.Flux(); }
   double FluxCutByWeightBound() const; ///< lm
+  /// What an effect that is switched off would have carried on, lm.
+  double FluxSwitchedOff(Scattering scattering) const;
   double Seconds() const { return this->SecondsTraced; }
   const Effects& EffectsInUse() const { return this->Tracer.EffectsInUse(); }
 
@@ -96,12 +104,14 @@ private:
   std::optional<StopReason> TraceRound(const StopRules& rules, const ProgressMonitor& monitor);
   bool TraceSlice(std::uint32_t number, std::uint64_t count, const StopRules& rules,
     const ProgressMonitor& monitor);
+  double LuxOfLayer(std::size_t vertex, std::size_t layer) const;
   void AddRow(const StopRules& rules);
   RunProgress ProgressTowards(const StopRules& rules, std::uint64_t blocksOfSlice);
 
   const Scene& Surroundings;
   PhotonTracer Tracer;
   ReplicateSums Sums;
+  LightLayers Layers;
   std::vector<Accuracy> Rows;
   double SecondsTraced = 0.0;
   double LargestFraction = 0.0;

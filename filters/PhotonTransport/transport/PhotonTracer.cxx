@@ -13,6 +13,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <thread>
 
@@ -27,38 +28,111 @@ struct Job
   float weightBound;
 };
 
-template <Registration Kind, bool Interreflection, bool BackSide>
-void TraceBlock(const Job& job, std::uint64_t first, std::uint64_t last, IlluminationSums& sums)
+template <Registration Kind, bool BackSide, Walk Way>
+void TraceBlock(const Job& job, std::uint64_t first, std::uint64_t last, IlluminationSums& sums,
+  LightLayers& layers)
 {
-  const Registrar<Kind, BackSide> registrar(job.walk.scene, job.weightBound, sums);
-  WalkPhotons<Interreflection>(job.walk, first, last, registrar, sums.balance);
+  const Registrar<Kind, BackSide> registrar(job.walk.scene, job.weightBound, sums, layers);
+  WalkPhotons<Way>(job.walk, first, last, registrar, sums.balance);
 }
 
-using BlockTracer = void (*)(const Job&, std::uint64_t, std::uint64_t, IlluminationSums&);
+using BlockTracer = void (*)(
+  const Job&, std::uint64_t, std::uint64_t, IlluminationSums&, LightLayers&);
+
+template <Registration Kind, bool BackSide>
+BlockTracer Choose(Walk way)
+{
+  switch (way)
+  {
+    case Walk::Ends:
+      return TraceBlock<Kind, BackSide, Walk::Ends>;
+    case Walk::Diffuse:
+      return TraceBlock<Kind, BackSide, Walk::Diffuse>;
+    case Walk::Coloured:
+      return TraceBlock<Kind, BackSide, Walk::Coloured>;
+    case Walk::Reflecting:
+      return TraceBlock<Kind, BackSide, Walk::Reflecting>;
+    case Walk::Transmitting:
+      return TraceBlock<Kind, BackSide, Walk::Transmitting>;
+    case Walk::General:
+      break;
+  }
+  return TraceBlock<Kind, BackSide, Walk::General>;
+}
 
 template <Registration Kind>
-BlockTracer ChooseFor(const Effects& effects)
+BlockTracer Choose(Walk way, bool backSide)
 {
-  if (effects.interreflection)
-  {
-    return effects.backSide ? TraceBlock<Kind, true, true> : TraceBlock<Kind, true, false>;
-  }
-  return effects.backSide ? TraceBlock<Kind, false, true> : TraceBlock<Kind, false, false>;
+  return backSide ? Choose<Kind, true>(way) : Choose<Kind, false>(way);
 }
 
 /// The walk compiled for just these effects.
-BlockTracer Choose(const Effects& effects)
+BlockTracer Choose(Registration registration, Walk way, bool backSide)
 {
-  switch (effects.registration)
+  switch (registration)
   {
     case Registration::Flat:
-      return ChooseFor<Registration::Flat>(effects);
+      return Choose<Registration::Flat>(way, backSide);
     case Registration::FacetRatio:
-      return ChooseFor<Registration::FacetRatio>(effects);
+      return Choose<Registration::FacetRatio>(way, backSide);
     case Registration::VertexNormalised:
       break;
   }
-  return ChooseFor<Registration::VertexNormalised>(effects);
+  return Choose<Registration::VertexNormalised>(way, backSide);
+}
+
+/// What has to be compiled in for a scene. A facet's share of an effect that is switched off still
+/// decides how many photons end.
+Walk WalkFor(const Effects& effects, const TraceSettings& settings)
+{
+  if (settings.mostGeneralWalk)
+  {
+    return Walk::General;
+  }
+  const bool reflects = (effects.present & Reflections) != 0;
+  const bool transmits = (effects.present & Transmissions) != 0;
+  if (reflects || transmits)
+  {
+    return reflects && transmits ? Walk::General
+                                 : (reflects ? Walk::Reflecting : Walk::Transmitting);
+  }
+  if (effects.present == 0)
+  {
+    return Walk::Ends;
+  }
+  return effects.colouredFacets ? Walk::Coloured : Walk::Diffuse;
+}
+
+/// A roulette for each material, or where there are none for each reflectance.
+FacetRoulettes MakeRoulettes(const Scene& scene, Walk way, bool colour)
+{
+  FacetRoulettes made;
+  if (way == Walk::Ends || way == Walk::Diffuse)
+  {
+    return made;
+  }
+  made.ofFacet = scene.MaterialOfFacet();
+  for (const Material& material : scene.Materials())
+  {
+    made.roulettes.push_back(MakeRoulette(material, colour));
+  }
+  if (scene.Materials().empty())
+  {
+    std::map<float, std::uint32_t> known;
+    for (const Facet& facet : scene.Facets())
+    {
+      const auto next = static_cast<std::uint32_t>(made.roulettes.size());
+      const auto [place, isNew] = known.emplace(facet.reflectance, next);
+      if (isNew)
+      {
+        Material material;
+        material.diffuseReflectance = Colour(facet.reflectance);
+        made.roulettes.push_back(MakeRoulette(material, colour));
+      }
+      made.ofFacet.push_back(place->second);
+    }
+  }
+  return made;
 }
 
 const TraceSettings& Validated(const TraceSettings& settings)
@@ -104,6 +178,7 @@ struct PhotonTracer::Workers
     : limit(MoreThanCores(threads))
     , arena(threads)
     , sums(static_cast<std::size_t>(threads))
+    , layers(static_cast<std::size_t>(threads))
   {
   }
 
@@ -120,19 +195,26 @@ struct PhotonTracer::Workers
   std::unique_ptr<tbb::global_control> limit;
   tbb::task_arena arena;
   std::vector<IlluminationSums> sums;
+  std::vector<LightLayers> layers;
 };
 
-PhotonTracer::PhotonTracer(const Scene& scene, const Lamp& lamp, const TraceSettings& settings)
+PhotonTracer::PhotonTracer(
+  const Scene& scene, const Lighting& lighting, const TraceSettings& settings)
   : Surroundings(scene)
   , Settings(Validated(settings))
-  , Source(lamp, scene)
-  , Answer(AnalyseEffects(scene, settings))
+  , Answer(AnalyseEffects(scene, lighting, settings))
+  , Source(lighting, scene, this->Answer.colour)
+  , Materials(MakeRoulettes(scene, WalkFor(this->Answer, settings), this->Answer.colouredFacets))
   , Pool(std::make_unique<Workers>(ThreadCount(settings)))
 {
   RequireIlluminanceInRange(scene, this->Flux());
   for (IlluminationSums& sums : this->Pool->sums)
   {
     sums = this->EmptySums();
+  }
+  for (LightLayers& layers : this->Pool->layers)
+  {
+    layers = this->EmptyLayers();
   }
 }
 
@@ -143,25 +225,34 @@ IlluminationSums PhotonTracer::EmptySums() const
   return { this->Surroundings.Vertices().size(), this->Settings.registerBackSide };
 }
 
-bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
-  IlluminationSums& sums, const Monitor& monitor)
+LightLayers PhotonTracer::EmptyLayers() const
 {
-  const Job job{ { this->Surroundings, this->Source,
+  return { this->Surroundings.Vertices().size(), this->Answer.colour,
+    this->Settings.lampsApart ? this->Source.Lamps() : 0 };
+}
+
+bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
+  IlluminationSums& sums, const Monitor& monitor, LightLayers* layers)
+{
+  const Job job{ { this->Surroundings, this->Materials, this->Source,
                    { this->Settings.seed, replicate, this->Settings.sampling },
-                   this->Settings.interreflection ? this->Settings.maximumPathLength : 1u },
+                   this->Settings.maximumPathLength, this->Answer.simulated },
     this->Settings.weightBound };
-  const BlockTracer traceBlock = Choose(this->Answer);
+  const BlockTracer traceBlock =
+    Choose(this->Settings.mostGeneralWalk ? this->Settings.registration : this->Answer.registration,
+      WalkFor(this->Answer, this->Settings), this->Answer.backSide);
   std::atomic<bool> goOn{ true };
   std::atomic<std::uint64_t> done{ 0 };
   const std::thread::id caller = std::this_thread::get_id();
 
   const auto work = [&](const tbb::blocked_range<std::uint64_t>& blocks)
   {
-    IlluminationSums& own =
-      this->Pool->sums[static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())];
+    const auto thread = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
+    IlluminationSums& own = this->Pool->sums[thread];
     for (std::uint64_t block = blocks.begin(); block < blocks.end() && goOn; ++block)
     {
-      traceBlock(job, block * PhotonBlock, (block + 1) * PhotonBlock, own);
+      traceBlock(
+        job, block * PhotonBlock, (block + 1) * PhotonBlock, own, this->Pool->layers[thread]);
       ++done;
       if (monitor && std::this_thread::get_id() == caller && !monitor(done))
       {
@@ -173,6 +264,11 @@ bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint
   for (IlluminationSums& own : this->Pool->sums)
   {
     MoveInto(sums, own);
+  }
+  for (LightLayers& own : this->Pool->layers)
+  {
+    LightLayers unwanted = layers ? LightLayers() : own;
+    MoveInto(layers ? *layers : unwanted, own);
   }
   return goOn;
 }

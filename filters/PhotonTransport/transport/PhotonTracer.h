@@ -6,6 +6,7 @@
 #include "PhotonTransport/registration/IlluminationSums.h"
 #include "PhotonTransport/scene/Scene.h"
 #include "PhotonTransport/transport/TraceSettings.h"
+#include "PhotonTransport/transport/Walk.h"
 
 #include <cstdint>
 #include <functional>
@@ -30,15 +31,18 @@ class PhotonTracer
 public:
   /// Throws InvalidInput for settings or a lamp that make no sense.
   /// @param scene Must outlive the tracer.
-  PhotonTracer(const Scene& scene, const Lamp& lamp, const TraceSettings& settings);
+  PhotonTracer(const Scene& scene, const Lighting& lighting, const TraceSettings& settings);
   ~PhotonTracer();
 
   /// Adds `count` blocks of a replicate, from block `first`, to `sums`. Stopped early, it adds the
   /// photons that were traced (sums.balance.emitted tells how many) and returns false.
+  /// @param layers If given, gets the parts of the light that are kept apart; see EmptyLayers.
   bool Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
-    IlluminationSums& sums, const Monitor& monitor = {});
+    IlluminationSums& sums, const Monitor& monitor = {}, LightLayers* layers = nullptr);
 
   IlluminationSums EmptySums() const;
+  /// Channels, where the scene calls for colour; lamps, where the settings ask for them apart.
+  LightLayers EmptyLayers() const;
   double Flux() const { return this->Source.Flux(); }
   const Effects& EffectsInUse() const { return this->Answer; }
 
@@ -46,8 +50,9 @@ private:
   struct Workers;
   const Scene& Surroundings;
   TraceSettings Settings;
-  Emitter Source;
   Effects Answer;
+  Emitter Source;
+  FacetRoulettes Materials;
   std::unique_ptr<Workers> Pool;
 };
 

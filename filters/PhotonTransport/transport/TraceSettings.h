@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/materials/Scattering.h"
 #include "PhotonTransport/registration/Registration.h"
 #include "PhotonTransport/sampling/PhotonSample.h"
 
@@ -19,11 +20,17 @@ struct TraceSettings
   std::uint32_t seed = 1;
   Sampling sampling = Sampling::Sobol;
   Registration registration = Registration::VertexNormalised;
-  bool interreflection = true;   ///< false ends every photon at its first hit.
+  /// Ways of scattering that may be simulated where the scene has them; photons that would take
+  /// another one end there and are counted (PhotonBalance::switchedOff).
+  ScatteringSet scatterings = AllScatterings;
+  bool colour = true;            ///< Simulate colours, where there are any.
   bool registerBackSide = false; ///< Also register hits on the backs of facets.
+  bool lampsApart = false;       ///< Also keep each lamp's own map.
   float weightBound = 16.0f;     ///< Largest compensating factor, [1, 2^20]; the rest is reported.
   std::uint32_t maximumPathLength = 10'000; ///< Segments of one photon; >= 1.
   int threads = 0;                          ///< [0, MostThreads]; 0: all there are.
+  /// Trace with everything compiled in, called for or not: the same bits, slower. For tests.
+  bool mostGeneralWalk = false;
 };
 
 /// Throws InvalidInput that names the setting.

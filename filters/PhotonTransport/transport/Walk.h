@@ -2,7 +2,8 @@
 #pragma once
 
 #include "PhotonTransport/lights/Emitter.h"
-#include "PhotonTransport/materials/DiffuseReflection.h"
+#include "PhotonTransport/materials/Scattering.h"
+#include "PhotonTransport/registration/Registration.h"
 #include "PhotonTransport/sampling/PhotonSample.h"
 #include "PhotonTransport/scene/Scene.h"
 #include "PhotonTransport/statistics/PhotonBalance.h"
@@ -11,17 +12,56 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace PhotonTransport
 {
+
+/// What photons do at facets, as far as it is compiled in.
+enum class Walk
+{
+  Ends,         ///< Every photon ends where it first arrives.
+  Diffuse,      ///< Facets reflect diffusely, all channels alike.
+  Coloured,     ///< Facets reflect diffusely, by channel.
+  Reflecting,   ///< Facets reflect in every way.
+  Transmitting, ///< Facets reflect diffusely and let light through.
+  General       ///< All of it.
+};
+
+constexpr ScatteringSet CompiledIn(Walk kind)
+{
+  constexpr ScatteringSet Diffuse = SetOf(Scattering::DiffuseReflection);
+  switch (kind)
+  {
+    case Walk::Ends:
+      return 0;
+    case Walk::Reflecting:
+      return Diffuse | Reflections;
+    case Walk::Transmitting:
+      return Diffuse | Transmissions;
+    case Walk::General:
+      return AllScatterings;
+    default:
+      return Diffuse;
+  }
+}
+
+/// Materials as the walk wants them, by facet; empty where facets only reflect diffusely.
+struct FacetRoulettes
+{
+  std::vector<Roulette> roulettes;
+  std::vector<std::uint32_t> ofFacet;
+};
 
 /// What photons walk through, and how far.
 struct WalkSettings
 {
   const Scene& scene;
+  const FacetRoulettes& materials;
   const Emitter& source;
   SequenceKey key;
   std::uint32_t longestPath; ///< Segments, >= 1.
+  ScatteringSet switchedOn;  ///< What may be simulated.
 };
 
 /// A photon of unit energy on its way; its ray is kept apart, with those of the others.
@@ -29,15 +69,41 @@ struct Flight
 {
   ScatteringNumbers numbers;
   std::uint32_t order; ///< Scatterings so far.
+  PhotonOrigin origin;
 };
 
+/// What a photon does at the end of a segment, by its material.
+template <Walk Kind>
+Departure Depart(
+  const Flight& photon, const Ray& ray, const Hit& hit, bool front, const WalkSettings& settings)
+{
+  const Facet& facet = settings.scene.Facets()[hit.facet];
+  const ScatteringSample sample = photon.numbers.At(photon.order);
+  const glm::vec3 normal = front ? facet.normal : -facet.normal;
+  if constexpr (Kind == Walk::Diffuse)
+  {
+    Departure departure;
+    if (Survives(facet.reflectance, sample.survival))
+    {
+      departure.absorbed = false;
+      departure.direction = ReflectDiffusely(normal, sample.u, sample.v);
+    }
+    return departure;
+  }
+  else
+  {
+    const Roulette& material = settings.materials.roulettes[settings.materials.ofFacet[hit.facet]];
+    return Scatter<CompiledIn(Kind)>(
+      material, photon.origin.channel, sample, ray.direction, normal, front);
+  }
+}
+
 /// What happens to a photon at the end of a segment.
-/// @tparam Interreflection Whether any facet of the scene reflects.
 /// @param ray The segment; the next one if the photon goes on.
 /// @param hit Its end; moved to the right one of two facets in the same place.
-/// @param onHit Called as onHit(ray, hit, front, direct).
+/// @param onHit Called as onHit(ray, hit, front, photon.origin).
 /// @return Whether it goes on.
-template <bool Interreflection, class OnHit>
+template <Walk Kind, class OnHit>
 bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, const OnHit& onHit,
   PhotonBalance& balance)
 {
@@ -49,37 +115,46 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
   }
   bool front = glm::dot(ray.direction, settings.scene.Facets()[hit.facet].normal) < 0.0f;
   front = front || settings.scene.PreferFront(ray, hit);
-  const Facet& facet = settings.scene.Facets()[hit.facet];
-  onHit(ray, hit, front, photon.order == 0);
+  onHit(ray, hit, front, photon.origin);
 
-  if constexpr (!Interreflection)
+  if constexpr (Kind == Walk::Ends)
   {
     ++balance.absorbed;
     return false;
   }
-  const ScatteringSample scattering = photon.numbers.At(photon.order);
-  if (!Survives(facet.reflectance, scattering.survival))
+  else
   {
-    ++balance.absorbed;
-    return false;
+    const Departure departure = Depart<Kind>(photon, ray, hit, front, settings);
+    if (departure.absorbed)
+    {
+      ++balance.absorbed;
+      return false;
+    }
+    if ((settings.switchedOn & SetOf(departure.how)) == 0)
+    {
+      ++balance.cutOff;
+      ++balance.switchedOff[static_cast<unsigned>(departure.how)];
+      return false;
+    }
+    if (++photon.order >= settings.longestPath)
+    {
+      ++balance.cutOff;
+      return false;
+    }
+    photon.origin.direct = photon.origin.direct && departure.undeflected;
+    // The path stays on the facets, which conserves photons; only registration is compensated.
+    const Facet& facet = settings.scene.Facets()[hit.facet];
+    ray.origin = settings.scene.SafeOrigin(facet, hit.barycentric, front == departure.sameSide);
+    ray.direction = departure.direction;
+    return true;
   }
-  if (++photon.order >= settings.longestPath)
-  {
-    ++balance.cutOff;
-    return false;
-  }
-  // The path stays on the facets, which conserves photons; only registration is compensated.
-  ray.origin = settings.scene.SafeOrigin(facet, hit.barycentric, front);
-  ray.direction =
-    ReflectDiffusely(front ? facet.normal : -facet.normal, scattering.u, scattering.v);
-  return true;
 }
 
 /// Follows photons [first, last) of a sequence from emission to end.
 ///
 /// Many at a time, for two reasons: Embree takes rays in packets, and the memory that one photon
 /// waits for arrives while others are being traced. Sums do not depend on the order.
-template <bool Interreflection, class OnHit>
+template <Walk Kind, class OnHit>
 void WalkPhotons(const WalkSettings& settings, std::uint64_t first, std::uint64_t last,
   const OnHit& onHit, PhotonBalance& balance)
 {
@@ -94,8 +169,10 @@ void WalkPhotons(const WalkSettings& settings, std::uint64_t first, std::uint64_
   {
     for (; flying < Together && next < last; ++next, sample.Advance())
     {
-      rays[flying] = settings.source.Emit(sample);
-      photons[flying++] = { sample.Scatterings(), 0 };
+      const Emission emission = settings.source.Emit(sample);
+      rays[flying] = emission.ray;
+      photons[flying++] = { sample.Scatterings(), 0,
+        { emission.lamp, static_cast<std::uint16_t>(emission.channel), true } };
       ++balance.emitted;
     }
     settings.scene.Intersect(rays.data(), hits.data(), flying);
@@ -110,7 +187,7 @@ void WalkPhotons(const WalkSettings& settings, std::uint64_t first, std::uint64_
     std::size_t stillFlying = 0;
     for (std::size_t i = 0; i < flying; ++i)
     {
-      if (Arrive<Interreflection>(photons[i], rays[i], hits[i], settings, onHit, balance))
+      if (Arrive<Kind>(photons[i], rays[i], hits[i], settings, onHit, balance))
       {
         photons[stillFlying] = photons[i];
         rays[stillFlying++] = rays[i];

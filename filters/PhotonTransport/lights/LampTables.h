@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PhotonTransport/lights/DirectionTable.h"
+#include "PhotonTransport/photometry/PhotometricSolid.h"
+
+#include <glm/vec3.hpp>
+
+#include <memory>
+
+namespace PhotonTransport
+{
+
+/// cd. Throws InvalidInput for a solid that contradicts itself or is dark.
+std::shared_ptr<const DirectionTable> TableOf(const PhotometricSolid& solid);
+
+/// Luminance relative to the zenith's; polar angle from the zenith, azimuth from the sun. Fine
+/// enough that what lies between its angles is off by less than 1e-4 on average.
+DirectionTable SkyTable(int type, double sunZenithAngle);
+
+/// Where a lamp with an aim has its sides; see PhotometricLamp::direction.
+struct LampAxes
+{
+  glm::dvec3 aim, x, y; ///< Orthonormal; x and y as seen by an unturned lamp.
+};
+
+/// @param aim Unit. @param rotation Radians.
+LampAxes AxesOf(const glm::dvec3& aim, double rotation);
+
+} // namespace PhotonTransport

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PhotonTransport/lights/PrepareEmitter.h"
+
+#include "PhotonTransport/geometry/BoundingCircle.h"
+#include "PhotonTransport/lights/LampChecks.h"
+#include "PhotonTransport/lights/LampTables.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace PhotonTransport
+{
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+
+/// Rounding of scene coordinates, with room to spare.
+constexpr double FloatSlack = 1e-6;
+
+/// Every point of the scene is within this distance of the scene's origin: sqrt(3), rounded up.
+constexpr double SceneRadius = 1.7321;
+
+Frame FrameOf(const glm::dvec3& unitDirection)
+{
+  return Frame(glm::vec3(unitDirection));
+}
+
+/// The scene's shadow under parallel light, in the plane of the frame's tangents.
+std::vector<glm::dvec2> Shadow(const Scene& scene, const Frame& frame)
+{
+  std::vector<glm::dvec2> shadow;
+  shadow.reserve(scene.Vertices().size());
+  for (const Vertex& vertex : scene.Vertices())
+  {
+    if (vertex.inverseThreeAreas > 0.0f)
+    {
+      const glm::dvec3 p(vertex.position);
+      shadow.emplace_back(
+        glm::dot(p, glm::dvec3(frame.tangent)), glm::dot(p, glm::dvec3(frame.bitangent)));
+    }
+  }
+  return shadow;
+}
+
+/// Of the ball about the scene's origin that holds all facets.
+double BallRadius(const Scene& scene)
+{
+  double radius = 0.0;
+  for (const Vertex& vertex : scene.Vertices())
+  {
+    if (vertex.inverseThreeAreas > 0.0f)
+    {
+      radius = std::max(radius, glm::length(glm::dvec3(vertex.position)));
+    }
+  }
+  return radius + FloatSlack;
+}
+
+/// m^2 that the ball shows to each direction.
+double CrossSection(double radius, const Scene& scene)
+{
+  return Pi * radius * radius * scene.SquareMetresPerSceneArea();
+}
+
+PreparedEmitter Prepare(const ParallelLight& light, const Scene& scene)
+{
+  const glm::dvec3 direction = CheckedDirection(light.direction);
+  const Frame frame = FrameOf(direction);
+  Circle circle = BoundingCircle(Shadow(scene, frame));
+  circle.radius += FloatSlack;
+  const auto radius = static_cast<float>(circle.radius);
+  const glm::dvec3 centre = circle.centre.x * glm::dvec3(frame.tangent) +
+    circle.centre.y * glm::dvec3(frame.bitangent) - SceneRadius * direction;
+  const double area = Pi * circle.radius * circle.radius * scene.SquareMetresPerSceneArea();
+  return { ParallelEmitter{
+             glm::vec3(centre), radius * frame.tangent, radius * frame.bitangent, frame.normal },
+    CheckedAmount(light.illuminance, "illuminance") * area };
+}
+
+PreparedEmitter Prepare(const PointLamp& lamp, const Scene& scene)
+{
+  return { ConeEmitter{
+             CheckedPosition(lamp.position, scene), FrameOf({ 0.0, 0.0, 1.0 }), 0.0f, -1.0f },
+    CheckedAmount(lamp.flux, "luminous flux") };
+}
+
+PreparedEmitter Prepare(const LambertianPointLamp& lamp, const Scene& scene)
+{
+  return { ConeEmitter{ CheckedPosition(lamp.position, scene),
+             FrameOf(CheckedDirection(lamp.direction)), 1.0f, 0.0f },
+    CheckedAmount(lamp.flux, "luminous flux") };
+}
+
+PreparedEmitter Prepare(const SpotLamp& lamp, const Scene& scene)
+{
+  const double widest = lamp.exponent > 0.0 ? 0.5 * Pi : Pi;
+  if (!(lamp.halfAngle > 0.0 && lamp.halfAngle <= widest * (1.0 + 1e-12)))
+  {
+    RefuseLamp("spot half-angle " + std::to_string(lamp.halfAngle * 180.0 / Pi) +
+      " degrees is outside (0, " + std::to_string(widest * 180.0 / Pi) +
+      "] (an exponent above 0 ends at 90)");
+  }
+  CheckedAmount(lamp.exponent, "spot exponent");
+  const auto cosMax = static_cast<float>(std::cos(lamp.halfAngle));
+  return { ConeEmitter{ CheckedPosition(lamp.position, scene),
+             FrameOf(CheckedDirection(lamp.direction)), static_cast<float>(lamp.exponent),
+             lamp.exponent > 0.0 ? std::max(0.0f, cosMax) : cosMax },
+    CheckedAmount(lamp.flux, "luminous flux") };
+}
+
+PreparedEmitter Prepare(const RectangleLamp& lamp, const Scene& scene)
+{
+  const glm::dvec3 direction = CheckedDirection(lamp.direction);
+  glm::dvec3 across = glm::cross(glm::dvec3(0.0, 0.0, 1.0), direction);
+  constexpr double Vertical = 1e-6;
+  across = glm::length(across) > Vertical ? glm::normalize(across) : glm::dvec3(1.0, 0.0, 0.0);
+  const double width = CheckedLength(lamp.width, scene, "lamp width");
+  const double height = CheckedLength(lamp.height, scene, "lamp height");
+  return { PanelEmitter{ CheckedPosition(lamp.centre, scene), FrameOf(direction),
+             0.5 * width * across, 0.5 * height * glm::cross(direction, across), false },
+    CheckedAmount(lamp.flux, "luminous flux") };
+}
+
+PreparedEmitter Prepare(const DiskLamp& lamp, const Scene& scene)
+{
+  const Frame frame = FrameOf(CheckedDirection(lamp.direction));
+  const double radius = CheckedLength(lamp.radius, scene, "lamp radius");
+  return { PanelEmitter{ CheckedPosition(lamp.centre, scene), frame,
+             radius * glm::dvec3(frame.tangent), radius * glm::dvec3(frame.bitangent), true },
+    CheckedAmount(lamp.flux, "luminous flux") };
+}
+
+PreparedEmitter Prepare(const UniformSky& sky, const Scene& scene)
+{
+  const double radius = BallRadius(scene);
+  const double solidAngle = sky.wholeSphere ? 4.0 * Pi : 2.0 * Pi;
+  return { SkyEmitter{
+             FrameOf(CheckedDirection(sky.up)), sky.wholeSphere, static_cast<float>(radius) },
+    CheckedAmount(sky.luminance, "luminance") * CrossSection(radius, scene) * solidAngle };
+}
+
+PreparedEmitter Prepare(const SphereLamp& lamp, const Scene& scene)
+{
+  return { SphereEmitter{ CheckedPosition(lamp.centre, scene),
+             CheckedLength(lamp.radius, scene, "lamp radius") },
+    CheckedAmount(lamp.flux, "luminous flux") };
+}
+
+PreparedEmitter Prepare(const LineLamp& lamp, const Scene& scene)
+{
+  const glm::dvec3 axis = CheckedDirection(lamp.axis, "lamp axis");
+  const double length = CheckedLength(lamp.length, scene, "lamp length");
+  return { LineEmitter{ CheckedPosition(lamp.centre, scene), 0.5 * length * axis, FrameOf(axis) },
+    CheckedAmount(lamp.flux, "luminous flux") };
+}
+
+PreparedEmitter Prepare(const EmittingFacets&, const Scene& scene)
+{
+  FacetEmitter emitter{ &scene, {}, {} };
+  std::vector<double> fluxes;
+  double sum = 0.0;
+  for (std::uint32_t f = 0; f < scene.Exitance().size(); ++f)
+  {
+    if (scene.Exitance()[f] > 0.0f)
+    {
+      fluxes.push_back(scene.Exitance()[f] * double{ glm::length(scene.AreaVectors()[f]) });
+      emitter.facets.push_back(f);
+      sum += fluxes.back();
+    }
+  }
+  if (!(sum > 0.0))
+  {
+    RefuseLamp("no facet has an exitance above 0 lm/m^2");
+  }
+  emitter.table = FluxTable(fluxes);
+  return { std::move(emitter), sum * scene.SquareMetresPerSceneArea() };
+}
+
+PreparedEmitter Prepare(const EmittingMesh& lamp, const Scene& scene)
+{
+  if (lamp.exitance.size() != lamp.facets.size())
+  {
+    RefuseLamp("an emitting surface has " + std::to_string(lamp.exitance.size()) +
+      " exitances for " + std::to_string(lamp.facets.size()) + " triangles");
+  }
+  MeshEmitter emitter;
+  std::vector<double> fluxes;
+  double sum = 0.0;
+  for (std::size_t f = 0; f < lamp.facets.size(); ++f)
+  {
+    glm::dvec3 corners[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      if (lamp.facets[f][c] >= lamp.points.size())
+      {
+        RefuseLamp("triangle " + std::to_string(f) + " of an emitting surface uses point " +
+          std::to_string(lamp.facets[f][c]) + " of " + std::to_string(lamp.points.size()));
+      }
+      corners[c] = CheckedPosition(lamp.points[lamp.facets[f][c]], scene);
+    }
+    const glm::dvec3 u = corners[1] - corners[0];
+    const glm::dvec3 v = corners[2] - corners[0];
+    const glm::dvec3 area = 0.5 * glm::cross(u, v);
+    const double flux = CheckedAmount(lamp.exitance[f], "exitance") * glm::length(area);
+    if (flux > 0.0)
+    {
+      const glm::dvec3 normal = glm::normalize(area);
+      emitter.triangles.push_back(
+        { corners[0] + double{ OriginOffset } * normal, u, v, glm::vec3(normal) });
+      fluxes.push_back(flux);
+      sum += flux;
+    }
+  }
+  if (!(sum > 0.0))
+  {
+    RefuseLamp("no triangle of an emitting surface has an exitance above 0 lm/m^2");
+  }
+  emitter.table = FluxTable(fluxes);
+  return { std::move(emitter), sum * scene.SquareMetresPerSceneArea() };
+}
+
+PreparedEmitter Prepare(const PhotometricLamp& lamp, const Scene& scene)
+{
+  const auto table = TableOf(lamp.solid);
+  const LampAxes axes = AxesOf(CheckedDirection(lamp.direction), lamp.rotation);
+  const glm::dvec3 position = CheckedPosition(lamp.position, scene);
+  const double flux = CheckedAmount(lamp.scale, "dimming") * table->Integral();
+  // See PhotometricSolid.
+  switch (lamp.solid.type)
+  {
+    case PhotometricSolid::Type::A:
+      return { TableEmitter{ position, axes.aim, axes.x, axes.y, table }, flux };
+    case PhotometricSolid::Type::B:
+      return { TableEmitter{ position, axes.aim, axes.y, axes.x, table }, flux };
+    default:
+      return { TableEmitter{ position, axes.x, axes.y, axes.aim, table }, flux };
+  }
+}
+
+PreparedEmitter Prepare(const CieSky& sky, const Scene& scene)
+{
+  const glm::dvec3 up = CheckedDirection(sky.up, "direction upwards");
+  const glm::dvec3 sun = CheckedDirection(sky.sun, "direction to the sun");
+  const double sunZenithAngle = std::acos(std::clamp(glm::dot(up, sun), -1.0, 1.0));
+  if (sky.type < 1 || sky.type > 16)
+  {
+    RefuseLamp("sky type " + std::to_string(sky.type) + " is outside 1 to 16");
+  }
+  if (!(sunZenithAngle < 0.5 * Pi))
+  {
+    RefuseLamp("the sun of a sky is " + Text(sunZenithAngle * 180.0 / Pi) +
+      " degrees from the zenith; it must be above the horizon, less than 90");
+  }
+  glm::dvec3 towardsSun = sun - glm::dot(sun, up) * up;
+  const Frame any = FrameOf(up);
+  towardsSun =
+    glm::length(towardsSun) > FloatSlack ? glm::normalize(towardsSun) : glm::dvec3(any.tangent);
+  const auto table = std::make_shared<const DirectionTable>(SkyTable(sky.type, sunZenithAngle));
+  const double radius = BallRadius(scene);
+  const double luminance =
+    CheckedAmount(sky.horizontalIlluminance, "horizontal illuminance") / table->CosineIntegral();
+  return { TableSkyEmitter{
+             towardsSun, glm::cross(up, towardsSun), up, static_cast<float>(radius), table },
+    luminance * table->Integral() * CrossSection(radius, scene) };
+}
+
+} // namespace
+
+PreparedEmitter PrepareEmitter(const Lamp& lamp, const Scene& scene)
+{
+  return std::visit([&](const auto& l) { return Prepare(l, scene); }, lamp);
+}
+
+} // namespace PhotonTransport

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PhotonTransport/materials/DiffuseReflection.h"
+#include "PhotonTransport/materials/Fresnel.h"
+#include "PhotonTransport/materials/GlossyReflection.h"
+#include "PhotonTransport/materials/Material.h"
+#include "PhotonTransport/sampling/PhotonSample.h"
+
+#include <array>
+#include <cstdint>
+
+namespace PhotonTransport
+{
+
+/// The ways in which a photon goes on from a facet.
+enum class Scattering : unsigned
+{
+  DiffuseReflection,
+  SpecularReflection,
+  GlossyReflection,
+  DiffuseTransmission,
+  ClearTransmission, ///< Through a thin pane, or mirrored by it.
+  Refraction         ///< At the surface of a solid body, reflection there included.
+};
+constexpr unsigned Scatterings = 6;
+
+/// A set of them.
+using ScatteringSet = unsigned;
+constexpr ScatteringSet SetOf(Scattering scattering)
+{
+  return 1u << static_cast<unsigned>(scattering);
+}
+constexpr ScatteringSet AllScatterings = (1u << Scatterings) - 1u;
+constexpr ScatteringSet Reflections =
+  SetOf(Scattering::SpecularReflection) | SetOf(Scattering::GlossyReflection);
+constexpr ScatteringSet Transmissions = SetOf(Scattering::DiffuseTransmission) |
+  SetOf(Scattering::ClearTransmission) | SetOf(Scattering::Refraction);
+
+/// What a photon does next, unless it is absorbed.
+struct Departure
+{
+  bool absorbed = true;
+  Scattering how = Scattering::DiffuseReflection;
+  bool sameSide = true;     ///< False: it has gone through.
+  bool undeflected = false; ///< Straight through a pane.
+  glm::vec3 direction{ 0.0f };
+};
+
+/// One channel of a material, as Russian roulette wants it: shares of 2^32 that add up from one to
+/// the next.
+struct RouletteChannel
+{
+  std::uint64_t diffuse, specular, glossy, through; ///< Upper ends.
+  float internal; ///< Of the clear part, which takes the rest: its body's transmittance.
+};
+
+/// A material made ready for photons.
+struct Roulette
+{
+  std::array<RouletteChannel, 3> channels; ///< All the same where photons have no colour.
+  float alpha;
+  float refractiveIndex;
+  bool clear;
+  bool solid;
+};
+
+/// @param colour Whether photons carry a channel each; otherwise all three are the luminous one.
+Roulette MakeRoulette(const Material& material, bool colour);
+
+/// What a material can do with light.
+ScatteringSet ScatteringsOf(const Material& material);
+
+/// Whether it treats the channels unequally.
+bool IsColoured(const Material& material);
+
+/// The clear part of a pane or of a body's surface.
+inline Departure PassClear(const Roulette& material, float internal, float u,
+  const glm::vec3& direction, const glm::vec3& normal, bool front)
+{
+  Departure departure;
+  const float cosIn = std::min(1.0f, -glm::dot(direction, normal));
+  if (!material.solid)
+  {
+    const ReflectedAndTransmitted share = ThinPane(cosIn, material.refractiveIndex, internal);
+    departure.absorbed = !(u < share.reflected + share.transmitted);
+    departure.how = Scattering::ClearTransmission;
+    departure.sameSide = u < share.reflected;
+    departure.undeflected = !departure.sameSide;
+    departure.direction =
+      departure.sameSide ? glm::normalize(direction + 2.0f * cosIn * normal) : direction;
+    return departure;
+  }
+  const float index = front ? material.refractiveIndex : 1.0f / material.refractiveIndex;
+  const FresnelReflectances fresnel(cosIn, index);
+  const float reflected = fresnel.Mean();
+  departure.how = Scattering::Refraction;
+  departure.sameSide = u < reflected;
+  departure.absorbed = !(u < reflected + (1.0f - reflected) * internal);
+  departure.direction = departure.sameSide
+    ? glm::normalize(direction + 2.0f * cosIn * normal)
+    : Refract(direction, normal, cosIn, index, std::max(fresnel.cosine, 1e-6f));
+  return departure;
+}
+
+/// What becomes of a photon of unit energy: it goes on with all of it, or is absorbed.
+/// @tparam Possible What is compiled in. @param direction Unit, of the arriving ray.
+/// @param normal Unit, on the side it comes from. @param front Whether that is the front.
+template <ScatteringSet Possible>
+Departure Scatter(const Roulette& material, std::uint32_t channel, const ScatteringSample& sample,
+  const glm::vec3& direction, const glm::vec3& normal, bool front)
+{
+  const RouletteChannel& shares = material.channels[channel];
+  const std::uint64_t bits = sample.survival;
+  Departure departure;
+  if (bits < shares.diffuse)
+  {
+    departure.absorbed = false;
+    departure.direction = ReflectDiffusely(normal, sample.u, sample.v);
+    return departure;
+  }
+  if constexpr ((Possible & Reflections) != 0)
+  {
+    if (bits < shares.specular)
+    {
+      departure.absorbed = false;
+      departure.how = Scattering::SpecularReflection;
+      departure.direction = glm::normalize(direction - 2.0f * glm::dot(direction, normal) * normal);
+      return departure;
+    }
+    if (bits < shares.glossy)
+    {
+      const GlossyDirection lobe =
+        ReflectGlossily(-direction, normal, material.alpha, sample.u, sample.v);
+      // Where in its share the number lies is as good as another number.
+      const auto place = static_cast<float>(bits - shares.specular) /
+        static_cast<float>(shares.glossy - shares.specular);
+      departure.absorbed = !(place < lobe.probability);
+      departure.how = Scattering::GlossyReflection;
+      departure.direction = lobe.direction;
+      return departure;
+    }
+  }
+  if constexpr ((Possible & Transmissions) != 0)
+  {
+    if (bits < shares.through)
+    {
+      departure.absorbed = false;
+      departure.how = Scattering::DiffuseTransmission;
+      departure.sameSide = false;
+      departure.direction = ReflectDiffusely(-normal, sample.u, sample.v);
+      return departure;
+    }
+    if (material.clear)
+    {
+      return PassClear(material, shares.internal, sample.u, direction, normal, front);
+    }
+  }
+  return departure;
+}
+
+} // namespace PhotonTransport
