@@ -2,111 +2,34 @@
 #include "SceneBlocks.h"
 
 #include "CellValues.h"
+#include "SurfaceTriangles.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
-#include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
-#include "vtkTriangleFilter.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace
 {
 
-constexpr const char* CellIds = "IlluminationCellIds";
-constexpr const char* PointIds = "IlluminationPointIds";
-
-vtkSmartPointer<vtkIdTypeArray> Counting(const char* name, vtkIdType count)
-{
-  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
-  ids->SetName(name);
-  ids->SetNumberOfTuples(count);
-  std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, vtkIdType{ 0 });
-  return ids;
-}
-
-std::vector<vtkIdType> Values(vtkDataArray* ids)
-{
-  auto* array = vtkIdTypeArray::SafeDownCast(ids);
-  return { array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues() };
-}
-
-/// Adds a cell and says which cell of the input it comes from.
-struct CellsWithIds
-{
-  vtkCellArray* cells;
-  vtkIdTypeArray* ids;
-  void Add(vtkIdType size, const vtkIdType* points, vtkIdType cell) const
-  {
-    this->cells->InsertNextCell(size, points);
-    this->ids->InsertNextValue(cell);
-  }
-};
-
-/// The polygons that have three corners and the triangles of strips. VTK's triangle filter would
-/// read beyond the end of a shorter strip.
-void CopySurfaceCells(vtkPolyData* data, const CellsWithIds& copy)
-{
-  vtkIdType cell = data->GetNumberOfVerts() + data->GetNumberOfLines();
-  vtkIdType size = 0;
-  const vtkIdType* ids = nullptr;
-  auto it = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell(), ++cell)
-  {
-    it->GetCurrentCell(size, ids);
-    if (size >= 3)
-    {
-      copy.Add(size, ids, cell);
-    }
-  }
-  it = vtk::TakeSmartPointer(data->GetStrips()->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell(), ++cell)
-  {
-    it->GetCurrentCell(size, ids);
-    for (vtkIdType i = 0; i + 2 < size; ++i)
-    {
-      const vtkIdType odd = i % 2; // every second triangle winds the other way
-      const vtkIdType triangle[3] = { ids[i + odd], ids[i + 1 - odd], ids[i + 2] };
-      copy.Add(3, triangle, cell);
-    }
-  }
-}
-
-/// The triangles of a block alone, with the ids of the cells and points they come from and with
-/// normals.
-vtkSmartPointer<vtkPolyData> Triangles(
+/// The triangles of a block with normals, which split points at edges where they are computed.
+vtkSmartPointer<vtkPolyData> TrianglesWithNormals(
   vtkPolyData* data, vtkDataArray* normals, double featureAngle)
 {
-  vtkNew<vtkCellArray> cells;
-  vtkNew<vtkIdTypeArray> cellIds;
-  cellIds->SetName(CellIds);
-  CopySurfaceCells(data, { cells, cellIds });
-
-  vtkNew<vtkPolyData> bare;
-  bare->SetPoints(data->GetPoints());
-  bare->SetPolys(cells);
-  bare->GetCellData()->AddArray(cellIds);
-  bare->GetPointData()->AddArray(Counting(PointIds, data->GetNumberOfPoints()));
-  bare->GetPointData()->SetNormals(normals);
-
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(bare);
-  triangles->Update();
-  if (normals || triangles->GetOutput()->GetNumberOfPolys() == 0)
+  const auto triangles = Triangles(data, normals);
+  if (normals || triangles->GetNumberOfPolys() == 0)
   {
-    return triangles->GetOutput();
+    return triangles;
   }
   vtkNew<vtkPolyDataNormals> split;
-  split->SetInputConnection(triangles->GetOutputPort());
+  split->SetInputData(triangles);
   split->SetFeatureAngle(featureAngle);
   split->SplittingOn();
   split->ConsistencyOn();
@@ -164,15 +87,15 @@ void SceneBlocks::Append(SceneBlock block, const SurfaceDescription& description
   RequireValidCells(block.data, block.name);
   vtkDataArray* given = CheckedNormals(block.data, block.name);
   block.normalsWereComputed = !given;
-  const auto mesh = Triangles(block.data, given, description.featureAngle);
+  const auto mesh = TrianglesWithNormals(block.data, given, description.featureAngle);
   if (mesh->GetNumberOfPolys() == 0)
   {
     return;
   }
   block.firstVertex = this->All.points.size();
   block.firstFacet = this->All.facets.size();
-  block.pointOfVertex = Values(mesh->GetPointData()->GetArray(PointIds));
-  block.cellOfFacet = Values(mesh->GetCellData()->GetArray(CellIds));
+  block.pointOfVertex = PointsOfTriangles(mesh);
+  block.cellOfFacet = CellsOfTriangles(mesh);
   block.uncut = FindUncut(block.data, block.cellOfFacet);
 
   vtkDataArray* normals = mesh->GetPointData()->GetNormals();

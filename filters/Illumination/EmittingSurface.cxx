@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EmittingSurface.h"
+
+#include "CellValues.h"
+#include "SceneBlocks.h"
+#include "SurfaceTriangles.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace
+{
+
+using namespace PhotonTransport;
+
+constexpr const char* Exitance = "Exitance";
+
+std::vector<glm::dvec3> PointsOf(vtkPolyData* mesh)
+{
+  std::vector<glm::dvec3> points;
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    glm::dvec3 point;
+    mesh->GetPoint(p, &point.x);
+    points.push_back(point);
+  }
+  return points;
+}
+
+std::vector<glm::uvec3> FacetsOf(vtkPolyData* mesh)
+{
+  std::vector<glm::uvec3> facets;
+  auto it = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    it->GetCurrentCell(size, ids);
+    facets.emplace_back(
+      static_cast<unsigned>(ids[0]), static_cast<unsigned>(ids[1]), static_cast<unsigned>(ids[2]));
+  }
+  return facets;
+}
+
+/// Points that no facet uses may be anywhere.
+void RequireFinitePoints(const EmittingMesh& mesh)
+{
+  for (const glm::uvec3& facet : mesh.facets)
+  {
+    for (const std::uint32_t p : { facet.x, facet.y, facet.z })
+    {
+      const glm::dvec3& point = mesh.points[p];
+      if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))
+      {
+        throw InputError("point " + std::to_string(p) + ": its coordinates are not finite");
+      }
+    }
+  }
+}
+
+/// Of twice the facet's area, to the side round which its corners run counter-clockwise.
+glm::dvec3 AreaVector(const EmittingMesh& mesh, const glm::uvec3& facet)
+{
+  const glm::dvec3& a = mesh.points[facet.x];
+  return glm::cross(mesh.points[facet.y] - a, mesh.points[facet.z] - a);
+}
+
+void TurnToNormals(EmittingMesh& mesh, vtkDataArray* normals)
+{
+  for (glm::uvec3& facet : mesh.facets)
+  {
+    glm::dvec3 front(0.0);
+    for (const std::uint32_t p : { facet.x, facet.y, facet.z })
+    {
+      glm::dvec3 normal;
+      normals->GetTuple(p, &normal.x);
+      vtkMath::Normalize(&normal.x);
+      front += normal;
+    }
+    if (glm::dot(front, AreaVector(mesh, facet)) < 0.0)
+    {
+      std::swap(facet.y, facet.z);
+    }
+  }
+}
+
+Colour ColourOf(vtkDataArray* exitance, vtkIdType cell)
+{
+  Colour colour;
+  for (int c = 0; c < 3; ++c)
+  {
+    const int component = exitance->GetNumberOfComponents() == 3 ? c : 0;
+    colour[c] = static_cast<float>(exitance->GetComponent(cell, component));
+  }
+  return colour;
+}
+
+/// The scale of a light's colour means nothing; a mesh without light is white.
+Colour WithLargestOne(const glm::dvec3& colour)
+{
+  const double largest = std::max({ colour.x, colour.y, colour.z });
+  return largest > 0.0 && std::isfinite(largest) ? Colour(colour / largest) : Colour(1.0f);
+}
+
+} // namespace
+
+std::optional<Luminaire> ReadEmittingSurface(vtkPolyData* data)
+{
+  if (!data->GetCellData()->HasArray(Exitance))
+  {
+    return std::nullopt;
+  }
+  RequireValidCells(data, "");
+  vtkDataArray* normals = CheckedNormals(data, "");
+  const auto triangles = Triangles(data, nullptr);
+
+  SceneBlock block;
+  block.data = data;
+  block.cellOfFacet = CellsOfTriangles(triangles);
+  const CellValues checked(block, Exitance, { "exitance", VTK_FLOAT_MAX });
+  if (block.cellOfFacet.empty())
+  {
+    throw InputError("a surface with a cell array 'Exitance' has no polygons or triangle strips");
+  }
+  const UncutPolygons uncut = FindUncut(data, block.cellOfFacet);
+  if (uncut.number > 0)
+  {
+    throw InputError("cell " + std::to_string(uncut.first) +
+      " crosses or touches itself or has no area, so its Exitance gives no flux");
+  }
+
+  EmittingMesh mesh{ PointsOf(triangles), FacetsOf(triangles), {} };
+  RequireFinitePoints(mesh);
+  if (normals)
+  {
+    TurnToNormals(mesh, normals);
+  }
+  vtkDataArray* exitance = data->GetCellData()->GetArray(Exitance);
+  glm::dvec3 light(0.0);
+  for (std::size_t f = 0; f < mesh.facets.size(); ++f)
+  {
+    const Colour colour = ColourOf(exitance, block.cellOfFacet[f]);
+    mesh.exitance.push_back(Luminous(colour));
+    light += glm::length(AreaVector(mesh, mesh.facets[f])) * glm::dvec3(colour);
+  }
+  return Luminaire{ std::move(mesh), {}, WithLargestOne(light) };
+}

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LuminaireGeometry.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkArrowSource.h"
+#include "vtkCellArray.h"
+#include "vtkConeSource.h"
+#include "vtkLineSource.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRegularPolygonSource.h"
+#include "vtkSphereSource.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
+#include "vtkTrivialProducer.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace
+{
+
+using namespace PhotonTransport;
+
+constexpr int Sides = 48; ///< Of what is round.
+constexpr glm::dvec3 UnturnedAim{ 0.0, 0.0, -1.0 };
+
+/// Without overflow at 1e200 or underflow at 1e-200.
+glm::dvec3 Unit(const glm::dvec3& v)
+{
+  const double largest = std::max({ std::fabs(v.x), std::fabs(v.y), std::fabs(v.z) });
+  return glm::normalize(v / largest);
+}
+
+/// What aims along -z at the origin, turned the shortest way (about x for the opposite) to aim
+/// along `aim`, and moved.
+vtkSmartPointer<vtkPolyData> Placed(vtkAlgorithm* source, double scale, const glm::dvec3& position,
+  const glm::dvec3& aim, double rotation = 0.0)
+{
+  const glm::dvec3 to = Unit(aim);
+  glm::dvec3 axis = glm::cross(UnturnedAim, to);
+  const double sine = glm::length(axis);
+  axis = sine > 0.0 ? axis : glm::dvec3(1.0, 0.0, 0.0);
+  const double angle = std::atan2(sine, glm::dot(UnturnedAim, to));
+
+  vtkNew<vtkTransform> transform;
+  transform->Translate(position.x, position.y, position.z); // each acts before those above it
+  transform->RotateWXYZ(vtkMath::DegreesFromRadians(angle), axis.x, axis.y, axis.z);
+  transform->RotateZ(vtkMath::DegreesFromRadians(rotation));
+  transform->Scale(scale, scale, scale);
+  vtkNew<vtkTransformPolyDataFilter> placed;
+  placed->SetInputConnection(source->GetOutputPort());
+  placed->SetTransform(transform);
+  placed->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  placed->Update();
+  return placed->GetOutput();
+}
+
+/// From the position on, as long as the glyph.
+vtkSmartPointer<vtkPolyData> Arrow(
+  const glm::dvec3& position, const glm::dvec3& direction, double length)
+{
+  vtkNew<vtkTransform> down;
+  down->RotateY(90.0); // from +x
+  vtkNew<vtkArrowSource> arrow;
+  arrow->SetShaftResolution(Sides);
+  arrow->SetTipResolution(Sides);
+  vtkNew<vtkTransformPolyDataFilter> downward;
+  downward->SetInputConnection(arrow->GetOutputPort());
+  downward->SetTransform(down);
+  return Placed(downward, length, position, direction);
+}
+
+vtkSmartPointer<vtkPolyData> Ball(const glm::dvec3& centre, double radius)
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(centre.x, centre.y, centre.z);
+  ball->SetRadius(radius);
+  ball->SetThetaResolution(Sides);
+  ball->SetPhiResolution(Sides / 2 + 1);
+  ball->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  ball->Update();
+  return ball->GetOutput();
+}
+
+/// Zenith along `up`.
+vtkSmartPointer<vtkPolyData> Dome(const glm::dvec3& up, bool whole, const LuminaireGlyph& glyph)
+{
+  vtkNew<vtkSphereSource> dome;
+  dome->SetRadius(1.0);
+  dome->SetThetaResolution(Sides);
+  dome->SetPhiResolution(Sides / (whole ? 2 : 4) + 1);
+  dome->SetEndPhi(whole ? 180.0 : 90.0);
+  dome->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  return Placed(dome, glyph.size, glyph.position, -up);
+}
+
+class Geometry
+{
+public:
+  explicit Geometry(const LuminaireGlyph& glyph)
+    : Glyph(glyph)
+  {
+  }
+  using Result = vtkSmartPointer<vtkPolyData>;
+
+  Result operator()(const ParallelLight& lamp) const
+  {
+    return Arrow(this->Glyph.position, lamp.direction, this->Glyph.size);
+  }
+  Result operator()(const PointLamp& lamp) const
+  {
+    return Ball(lamp.position, this->Glyph.size / 2.0);
+  }
+  Result operator()(const LambertianPointLamp& lamp) const
+  {
+    return Arrow(lamp.position, lamp.direction, this->Glyph.size);
+  }
+  Result operator()(const SpotLamp& lamp) const
+  {
+    // Half-angles above 90 degrees leave out a cone behind the lamp.
+    const double height = std::cos(lamp.halfAngle);
+    vtkNew<vtkConeSource> cone;
+    cone->SetHeight(std::fabs(height));
+    cone->SetRadius(std::sin(lamp.halfAngle));
+    cone->SetDirection(0.0, 0.0, height < 0.0 ? -1.0 : 1.0);
+    cone->SetCenter(0.0, 0.0, -height / 2.0);
+    cone->SetResolution(Sides);
+    cone->CappingOff();
+    cone->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    return Placed(cone, this->Glyph.size, lamp.position, lamp.direction);
+  }
+  Result operator()(const RectangleLamp& lamp) const
+  {
+    const glm::dvec3 aim = Unit(lamp.direction);
+    const glm::dvec3 across = glm::cross(glm::dvec3(0.0, 0.0, 1.0), aim);
+    const bool vertical = across == glm::dvec3(0.0);
+    const glm::dvec3 width = vertical ? glm::dvec3(1.0, 0.0, 0.0) : Unit(across);
+    const glm::dvec3 height = glm::cross(aim, width);
+    const glm::dvec3 corner = lamp.centre - width * lamp.width / 2.0 - height * lamp.height / 2.0;
+    const glm::dvec3 right = corner + width * lamp.width;
+    const glm::dvec3 top = corner + height * lamp.height;
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetOrigin(corner.x, corner.y, corner.z);
+    plane->SetPoint1(right.x, right.y, right.z);
+    plane->SetPoint2(top.x, top.y, top.z);
+    plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    plane->Update();
+    return plane->GetOutput();
+  }
+  Result operator()(const DiskLamp& lamp) const
+  {
+    const glm::dvec3 aim = Unit(lamp.direction);
+    vtkNew<vtkRegularPolygonSource> disk;
+    disk->SetNumberOfSides(Sides);
+    disk->SetCenter(lamp.centre.x, lamp.centre.y, lamp.centre.z);
+    disk->SetNormal(aim.x, aim.y, aim.z);
+    disk->SetRadius(lamp.radius);
+    disk->GeneratePolylineOff();
+    disk->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    disk->Update();
+    return disk->GetOutput();
+  }
+  Result operator()(const SphereLamp& lamp) const { return Ball(lamp.centre, lamp.radius); }
+  Result operator()(const LineLamp& lamp) const
+  {
+    const glm::dvec3 half = Unit(lamp.axis) * (lamp.length / 2.0);
+    const glm::dvec3 from = lamp.centre - half;
+    const glm::dvec3 to = lamp.centre + half;
+    vtkNew<vtkLineSource> line;
+    line->SetPoint1(from.x, from.y, from.z);
+    line->SetPoint2(to.x, to.y, to.z);
+    line->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    line->Update();
+    return line->GetOutput();
+  }
+  Result operator()(const UniformSky& sky) const
+  {
+    return Dome(sky.up, sky.wholeSphere, this->Glyph);
+  }
+  Result operator()(const CieSky& sky) const { return Dome(sky.up, false, this->Glyph); }
+  Result operator()(const PhotometricLamp& lamp) const;
+  Result operator()(const EmittingFacets&) const { return Result::New(); }
+  Result operator()(const EmittingMesh&) const { return Result::New(); }
+
+private:
+  LuminaireGlyph Glyph;
+};
+
+/// Towards polar angle and azimuth, degrees, for a lamp that aims along -z; as PhotometricSolid
+/// says for each type.
+glm::dvec3 SolidDirection(PhotometricSolid::Type type, double polar, double azimuth)
+{
+  const double p = vtkMath::RadiansFromDegrees(polar);
+  const double z = vtkMath::RadiansFromDegrees(azimuth);
+  const glm::dvec3 aim = UnturnedAim;
+  const glm::dvec3 x(1.0, 0.0, 0.0);
+  const glm::dvec3 y(0.0, 1.0, 0.0);
+  switch (type)
+  {
+    case PhotometricSolid::Type::A:
+      return std::cos(p) * y + std::sin(p) * (std::cos(z) * aim + std::sin(z) * x);
+    case PhotometricSolid::Type::B:
+      return std::cos(p) * x + std::sin(p) * (std::cos(z) * aim + std::sin(z) * y);
+    default:
+      return std::cos(p) * aim + std::sin(p) * (std::cos(z) * x + std::sin(z) * y);
+  }
+}
+
+/// Quadrilaterals between neighbouring angles, as far from the lamp as the intensity there.
+vtkSmartPointer<vtkPolyData> PolarDiagram(const PhotometricSolid& solid)
+{
+  const double largest = *std::max_element(solid.candela.begin(), solid.candela.end());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  const auto polars = static_cast<vtkIdType>(solid.polar.size());
+  std::size_t i = 0;
+  for (const double azimuth : solid.azimuth)
+  {
+    for (const double polar : solid.polar)
+    {
+      const double radius = largest > 0.0 ? solid.candela[i] / largest : 0.0;
+      const glm::dvec3 point = radius * SolidDirection(solid.type, polar, azimuth);
+      const vtkIdType id = points->InsertNextPoint(point.x, point.y, point.z);
+      if (azimuth != solid.azimuth.front() && polar != solid.polar.front())
+      {
+        const vtkIdType corners[4] = { id - polars - 1, id - polars, id, id - 1 };
+        cells->InsertNextCell(4, corners);
+      }
+      ++i;
+    }
+  }
+  auto diagram = vtkSmartPointer<vtkPolyData>::New();
+  diagram->SetPoints(points);
+  diagram->SetPolys(cells);
+  return diagram;
+}
+
+vtkSmartPointer<vtkPolyData> Geometry::operator()(const PhotometricLamp& lamp) const
+{
+  vtkNew<vtkTrivialProducer> diagram;
+  diagram->SetOutput(PolarDiagram(lamp.solid));
+  return Placed(diagram, this->Glyph.size, lamp.position, lamp.direction, lamp.rotation);
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> LuminaireGeometry(const Lamp& lamp, const LuminaireGlyph& glyph)
+{
+  return std::visit(Geometry(glyph), lamp);
+}
