@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The material's proxy: defaults, documentation, what it offers, saved states, blocks, undo."""
+"""The material's proxy: defaults, documentation, what it offers, blocks, saved states, undo."""
 import os
 import tempfile
 
@@ -75,7 +75,8 @@ def check_changed(proxy):
         assert value == filter_value(name), (name, value)
     assert list(proxy.Blocks) == BLOCKS
     assert material.GetNumberOfBlocks() == len(BLOCKS)
-    assert all(material.HasBlock(block) for block in BLOCKS)
+    for block in BLOCKS:
+        assert material.HasBlock(block), block
 
 
 def test_each_property_is_documented_and_reaches_the_filter():
@@ -155,16 +156,26 @@ def test_python_state_says_what_was_set():
     assert f"material.Blocks = {BLOCKS!r}" in script, script
 
 
-def test_undo_takes_blocks_and_values_back():
+def test_undo_and_redo_of_values_and_blocks():
     proxy = changed_proxy()
+    stack = servermanager.vtkSMUndoStack()
+    builder = servermanager.vtkSMUndoStackBuilder()
+    builder.SetUndoStack(stack)
+    manager = servermanager.vtkSMProxyManager.GetProxyManager()
+    manager.SetUndoStackBuilder(builder)
+    builder.Begin("change")
     proxy.Preset = "Custom"
-    proxy.Blocks = []
+    proxy.Roughness = 0.75
+    proxy.Blocks = [1]
     proxy.UpdateVTKObjects()
-    assert proxy.GetClientSideObject().GetNumberOfBlocks() == 0
-    proxy.Preset = proxy_value("Preset")
-    proxy.Blocks = BLOCKS
-    proxy.UpdateVTKObjects()
+    builder.EndAndPushToStack()
+    material = proxy.GetClientSideObject()
+    stack.Undo()
     check_changed(proxy)
+    stack.Redo()
+    assert (material.GetPreset(), material.GetRoughness()) == (vtkSurfaceMaterial.CUSTOM, 0.75)
+    assert material.GetNumberOfBlocks() == 1 and material.HasBlock(1)
+    manager.SetUndoStackBuilder(None)
 
 
 if __name__ == "__main__":
