@@ -1,52 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellValues.h"
 
+#include "InputChecks.h"
 #include "SceneBlocks.h"
 
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
 
 #include <sstream>
 
-namespace
-{
-
-vtkDataArray* CheckedArray(const SceneBlock& block, const std::string& name)
-{
-  vtkAbstractArray* found = block.data->GetCellData()->GetAbstractArray(name.c_str());
-  const std::string where = "cell array '" + name + "'" + block.name;
-  if (!found)
-  {
-    const bool onPoints = block.data->GetPointData()->HasArray(name.c_str());
-    throw InputError("there is no " + where +
-      (onPoints ? "; there is a point array of that name, but values must be per cell" : ""));
-  }
-  auto* array = vtkDataArray::SafeDownCast(found);
-  if (!array)
-  {
-    throw InputError(where + " is a " + found->GetClassName() + ", not numbers");
-  }
-  const int components = array->GetNumberOfComponents();
-  if (components != 1 && components != 3)
-  {
-    throw InputError(
-      where + " has " + std::to_string(components) + " components; 1 or 3 are wanted");
-  }
-  if (array->GetNumberOfTuples() != block.data->GetNumberOfCells())
-  {
-    throw InputError(where + " has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
-      std::to_string(block.data->GetNumberOfCells()) + " cells");
-  }
-  return array;
-}
-
-} // namespace
-
 CellValues::CellValues(
   const SceneBlock& block, const std::string& arrayName, const CellValueKind& kind)
-  : Array(CheckedArray(block, arrayName))
+  : Array(CheckedCellArray(block.data, arrayName, block.name))
 {
   for (const vtkIdType cell : block.cellOfFacet)
   {

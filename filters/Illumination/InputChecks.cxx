@@ -5,6 +5,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -102,6 +103,36 @@ vtkDataArray* CheckedNormals(vtkPolyData* data, const std::string& block)
       " values for " + std::to_string(data->GetNumberOfPoints()) + " points");
   }
   return normals;
+}
+
+vtkDataArray* CheckedCellArray(
+  vtkPolyData* data, const std::string& name, const std::string& block, bool threeAllowed)
+{
+  vtkAbstractArray* found = data->GetCellData()->GetAbstractArray(name.c_str());
+  const std::string where = "cell array '" + name + "'" + block;
+  if (!found)
+  {
+    const bool onPoints = data->GetPointData()->HasArray(name.c_str()) != 0;
+    throw InputError("there is no " + where +
+      (onPoints ? "; there is a point array of that name, but values must be per cell" : ""));
+  }
+  auto* array = vtkDataArray::SafeDownCast(found);
+  if (!array)
+  {
+    throw InputError(where + " is a " + found->GetClassName() + ", not numbers");
+  }
+  const int components = array->GetNumberOfComponents();
+  if (components != 1 && !(threeAllowed && components == 3))
+  {
+    throw InputError(where + " has " + std::to_string(components) + " components; " +
+      (threeAllowed ? "1 or 3 are wanted" : "1 is wanted"));
+  }
+  if (array->GetNumberOfTuples() != data->GetNumberOfCells())
+  {
+    throw InputError(where + " has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
+      std::to_string(data->GetNumberOfCells()) + " cells");
+  }
+  return array;
 }
 
 UncutPolygons FindUncut(vtkPolyData* data, const std::vector<vtkIdType>& cellOfTriangle)

@@ -19,6 +19,11 @@ void RequireValidCells(vtkPolyData* data, const std::string& block);
 /// neither. Throws InputError if it does not hold three numbers a point.
 vtkDataArray* CheckedNormals(vtkPolyData* data, const std::string& block);
 
+/// The cell array of that name. Throws InputError unless it holds numbers, one tuple a cell of one
+/// component or, where allowed, three.
+vtkDataArray* CheckedCellArray(
+  vtkPolyData* data, const std::string& name, const std::string& block, bool threeAllowed = true);
+
 /// Polygons that were not cut into all the triangles they should give.
 struct UncutPolygons
 {

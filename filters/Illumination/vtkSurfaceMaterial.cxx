@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSurfaceMaterial.h"
+
+#include "CoreSettings.h"
+#include "InputChecks.h"
+#include "MaterialCells.h"
+#include "MaterialPresets.h"
+#include "Pipeline.h"
+#include "SceneBlocks.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <new>
+#include <sstream>
+#include <vector>
+
+vtkStandardNewMacro(vtkSurfaceMaterial);
+
+namespace
+{
+
+/// A surface of the output.
+struct Block
+{
+  vtkPolyData* data;
+  std::string name; ///< " of block 2", or "" where there is only one.
+  bool chosen;
+};
+
+vtkSmartPointer<vtkDataObjectTreeIterator> AllNodes(vtkDataObjectTree* tree)
+{
+  auto it = vtk::TakeSmartPointer(tree->NewTreeIterator());
+  it->VisitOnlyLeavesOff();
+  it->SkipEmptyNodesOff();
+  it->InitTraversal();
+  return it;
+}
+
+int CountNodes(vtkDataObjectTree* tree)
+{
+  int count = 0;
+  for (auto it = AllNodes(tree); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    ++count;
+  }
+  return count;
+}
+
+/// Flat indices number the nodes of the tree from the root, 0, each before those below it; empty
+/// ones count too.
+std::vector<Block> BlocksOf(vtkDataObjectTree* tree, const std::set<int>& chosen)
+{
+  const int last = CountNodes(tree);
+  for (const int block : chosen)
+  {
+    if (block < 0 || block > last)
+    {
+      throw InputError("there is no block " + std::to_string(block) +
+        "; the flat indices of the input's blocks are 0 to " + std::to_string(last));
+    }
+  }
+  std::vector<Block> blocks;
+  int chosenUntil = chosen.empty() || chosen.count(0) ? last : 0;
+  for (auto it = AllNodes(tree); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    const int index = static_cast<int>(it->GetCurrentFlatIndex());
+    vtkDataObject* node = it->GetCurrentDataObject();
+    auto* branch = vtkDataObjectTree::SafeDownCast(node);
+    if (chosen.count(index))
+    {
+      chosenUntil = std::max(chosenUntil, index + (branch ? CountNodes(branch) : 0));
+    }
+    if (auto* data = vtkPolyData::SafeDownCast(node))
+    {
+      blocks.push_back({ data, " of block " + std::to_string(index), index <= chosenUntil });
+    }
+  }
+  return blocks;
+}
+
+std::vector<Block> BlocksOf(vtkDataObject* data, const std::set<int>& chosen)
+{
+  std::vector<Block> blocks;
+  if (auto* single = vtkPolyData::SafeDownCast(data))
+  {
+    blocks.push_back({ single, "", true });
+  }
+  else if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+  {
+    blocks = BlocksOf(tree, chosen);
+  }
+  if (std::none_of(blocks.begin(), blocks.end(), [](const Block& block) { return block.chosen; }))
+  {
+    throw InputError(chosen.empty() ? "the input has no surface (vtkPolyData)"
+                                    : "none of the chosen blocks is a surface (vtkPolyData)");
+  }
+  return blocks;
+}
+
+/// A flag for each cell. @param cellArray Empty for all cells of a chosen block.
+std::vector<bool> ChosenCells(const Block& block, const std::string& cellArray, double value)
+{
+  std::vector<bool> chosen(static_cast<std::size_t>(block.data->GetNumberOfCells()), block.chosen);
+  if (block.chosen && !cellArray.empty())
+  {
+    vtkDataArray* values = CheckedCellArray(block.data, cellArray, block.name, false);
+    for (std::size_t cell = 0; cell < chosen.size(); ++cell)
+    {
+      chosen[cell] = values->GetComponent(static_cast<vtkIdType>(cell), 0) == value;
+    }
+  }
+  return chosen;
+}
+
+PhotonTransport::Colour Colour(const double rgb[3])
+{
+  return { rgb[0], rgb[1], rgb[2] };
+}
+
+PhotonTransport::Material MaterialOf(vtkSurfaceMaterial* filter)
+{
+  if (filter->GetPreset() != vtkSurfaceMaterial::CUSTOM)
+  {
+    return PresetMaterial(filter->GetPreset());
+  }
+  PhotonTransport::Material material;
+  material.diffuseReflectance = Colour(filter->GetDiffuseReflectance());
+  material.specularReflectance = Colour(filter->GetSpecularReflectance());
+  material.glossyReflectance = Colour(filter->GetGlossyReflectance());
+  material.diffuseTransmittance = Colour(filter->GetDiffuseTransmittance());
+  material.clearTransmittance = Colour(filter->GetClearTransmittance());
+  material.roughness = static_cast<float>(filter->GetRoughness());
+  material.refractiveIndex = static_cast<float>(filter->GetRefractiveIndex());
+  material.solid = filter->GetSolidBody();
+  return material;
+}
+
+} // namespace
+
+int vtkSurfaceMaterial::FillInputPortInformation(int, vtkInformation* info)
+{
+  RequireSurfaces(info);
+  return 1;
+}
+
+int vtkSurfaceMaterial::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+int vtkSurfaceMaterial::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return MakeOutputLikeInput(input, output) ? 1 : 0;
+  }
+  return this->Superclass::ProcessRequest(request, input, output);
+}
+
+int vtkSurfaceMaterial::RequestData(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  vtkDataObject* in = vtkDataObject::GetData(input[0]);
+  vtkDataObject* out = vtkDataObject::GetData(output);
+  PassThrough(in, out);
+  try
+  {
+    this->Assign(out);
+  }
+  catch (const std::bad_alloc&)
+  {
+    PassThrough(in, out);
+    vtkErrorMacro("out of memory for an input of " << out->GetActualMemorySize() << " KiB");
+  }
+  catch (const std::exception& error)
+  {
+    PassThrough(in, out); // without the arrays of the blocks before the error
+    vtkErrorMacro(<< error.what());
+  }
+  return 1; // as vtkIlluminationMap does: an error is said once
+}
+
+void vtkSurfaceMaterial::Assign(vtkDataObject* output)
+{
+  const PhotonTransport::Material material = MaterialOf(this);
+  RequireValid(material, "");
+  const std::string cellArray = ArrayName(this->CellArray.c_str());
+  bool hadChoice = false;
+  bool choseAny = false;
+  for (const Block& block : BlocksOf(output, this->Blocks))
+  {
+    RequireValidCells(block.data, block.name);
+    const std::vector<bool> chosen = ChosenCells(block, cellArray, this->CellValue);
+    hadChoice = hadChoice || (block.chosen && !chosen.empty());
+    choseAny = choseAny || std::find(chosen.begin(), chosen.end(), true) != chosen.end();
+    WriteMaterial(block.data, block.name, chosen, material);
+  }
+  if (hadChoice && !choseAny)
+  {
+    std::ostringstream message;
+    message << "no cell has the value " << this->CellValue << " in cell array '" << cellArray
+            << "', so none gets the material";
+    throw InputError(message.str());
+  }
+}
+
+void vtkSurfaceMaterial::AddBlock(int flatIndex)
+{
+  if (this->Blocks.insert(flatIndex).second)
+  {
+    this->Modified();
+  }
+}
+
+void vtkSurfaceMaterial::RemoveAllBlocks()
+{
+  if (!this->Blocks.empty())
+  {
+    this->Blocks.clear();
+    this->Modified();
+  }
+}
+
+void vtkSurfaceMaterial::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto print = [&](const char* name, const double rgb[3])
+  { os << indent << name << ": " << rgb[0] << " " << rgb[1] << " " << rgb[2] << "\n"; };
+  os << indent << "Preset: " << this->Preset << "\n";
+  print("DiffuseReflectance", this->DiffuseReflectance);
+  print("SpecularReflectance", this->SpecularReflectance);
+  print("GlossyReflectance", this->GlossyReflectance);
+  os << indent << "Roughness: " << this->Roughness << "\n";
+  print("DiffuseTransmittance", this->DiffuseTransmittance);
+  print("ClearTransmittance", this->ClearTransmittance);
+  os << indent << "RefractiveIndex: " << this->RefractiveIndex << "\n"
+     << indent << "SolidBody: " << this->SolidBody << "\n"
+     << indent << "Blocks:";
+  for (const int block : this->Blocks)
+  {
+    os << " " << block;
+  }
+  os << "\n"
+     << indent << "CellArray: " << this->CellArray << "\n"
+     << indent << "CellValue: " << this->CellValue << "\n";
+}

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSurfaceMaterial
+ * @brief   gives surfaces a material that vtkIlluminationMap understands
+ *
+ * Writes the material into cell arrays: of all cells, of the chosen blocks of a composite data set,
+ * or of the cells where a cell array has a certain value. Several of these filters, one after the
+ * other, give each part of a scene its own material. Cells that are not chosen keep the material
+ * they have; in a block that lacks one of the arrays they get its value of a matt grey of
+ * reflectance 0.5, so that every surface of the output has all arrays.
+ *
+ * Reflectances and transmittances are shares of the light that arrives, the same on both sides of
+ * the surface, linear in the red, green and blue of ITU-R BT.709 (sRGB's primaries, without its
+ * gamma), each in [0, 1] and together at most 1 in each channel; what is left is absorbed.
+ *
+ * The output is the input, untouched, with these cell arrays of type float, added or replaced:
+ *  - DiffuseReflectance, SpecularReflectance, GlossyReflectance, DiffuseTransmittance and
+ *    ClearTransmittance, always with 3 components. An input with 1 component is grey.
+ *  - Roughness, RefractiveIndex and SolidBody, with 1.
+ *
+ * Bad input or settings give one error that names the array, the cell and the value, and the input
+ * passes through without new arrays.
+ */
+
+#ifndef vtkSurfaceMaterial_h
+#define vtkSurfaceMaterial_h
+
+#include "vtkIlluminationModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <set>    // for block numbers
+#include <string> // for array names
+
+class VTKILLUMINATION_EXPORT vtkSurfaceMaterial : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSurfaceMaterial* New();
+  vtkTypeMacro(vtkSurfaceMaterial, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Where the values come from: MaterialPresets.cxx.
+  enum Presets
+  {
+    CUSTOM = 0,       ///< As the properties below say; they are for this alone.
+    WHITE_PAINT = 1,  ///< Matt, 0.85.
+    MID_GREY = 2,     ///< Matt, 0.5.
+    PLASTER = 3,      ///< Gypsum, matt, 0.75.
+    CONCRETE = 4,     ///< Untreated, matt, 0.25.
+    WOOD = 5,         ///< Oak, matt, (0.50, 0.32, 0.20): 0.35 of white light.
+    FABRIC = 6,       ///< Curtain or lamp shade: reflects 0.5 and lets 0.4 through, both diffusely.
+    BLACK_PAINT = 7,  ///< Matt, 0.05.
+    ALUMINIUM = 8,    ///< Brushed reflector, glossy, 0.85, roughness 0.33.
+    MIRROR = 9,       ///< Specular, 0.9.
+    CLEAR_GLASS = 10, ///< Pane of 6 mm float glass: index 1.52, transmittance 0.88 at right angles.
+    FROSTED_GLASS = 11 ///< Pane that lets 0.81 through and reflects 0.15, both diffusely.
+  };
+
+  ///@{
+  /**
+   * A ready material, see Presets. Default: CUSTOM.
+   */
+  vtkSetClampMacro(Preset, int, CUSTOM, FROSTED_GLASS);
+  vtkGetMacro(Preset, int);
+  ///@}
+
+  ///@{
+  /**
+   * Light reflected by Lambert's law, red, green and blue, [0, 1]. Default: 0.5 each.
+   */
+  vtkSetVector3Macro(DiffuseReflectance, double);
+  vtkGetVector3Macro(DiffuseReflectance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Light reflected as by a mirror, red, green and blue, [0, 1]. Default: 0 each.
+   */
+  vtkSetVector3Macro(SpecularReflectance, double);
+  vtkGetVector3Macro(SpecularReflectance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Light reflected about the mirror's direction, as wide as Roughness says, red, green and blue,
+   * [0, 1]. Default: 0 each.
+   */
+  vtkSetVector3Macro(GlossyReflectance, double);
+  vtkGetVector3Macro(GlossyReflectance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of glossy reflection, (0, 1]; its square is alpha of the GGX distribution. Default: 0.3.
+   */
+  vtkSetMacro(Roughness, double);
+  vtkGetMacro(Roughness, double);
+  ///@}
+
+  ///@{
+  /**
+   * Light let through to the other side by Lambert's law, red, green and blue, [0, 1]. Default: 0
+   * each.
+   */
+  vtkSetVector3Macro(DiffuseTransmittance, double);
+  vtkGetVector3Macro(DiffuseTransmittance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Light let through as by clear glass, red, green and blue, [0, 1]: what would pass at right
+   * angles if nothing were reflected; the reflection by RefractiveIndex comes on top. Default: 0
+   * each.
+   */
+  vtkSetVector3Macro(ClearTransmittance, double);
+  vtkGetVector3Macro(ClearTransmittance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of what is clear, relative to its surroundings, [1, 4]; 1 reflects nothing. It means nothing
+   * where ClearTransmittance is 0. Default: 1.5, as of glass and clear plastics.
+   */
+  vtkSetMacro(RefractiveIndex, double);
+  vtkGetMacro(RefractiveIndex, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether what is clear is the surface of a body that bends light, the normals' side being its
+   * outside; otherwise it is a thin pane with both its faces, which does not. Default: off.
+   */
+  vtkSetMacro(SolidBody, bool);
+  vtkGetMacro(SolidBody, bool);
+  vtkBooleanMacro(SolidBody, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Flat indices of the blocks of a composite data set that get the material, each with all blocks
+   * below it; every block if none is added. Each must exist, and one surface must be among them. A
+   * single surface has no blocks and pays no regard to them. Default: none.
+   */
+  void AddBlock(int flatIndex);
+  void RemoveAllBlocks();
+  int GetNumberOfBlocks() const { return static_cast<int>(this->Blocks.size()); }
+  bool HasBlock(int flatIndex) const { return this->Blocks.count(flatIndex) != 0; }
+  ///@}
+
+  ///@{
+  /**
+   * Name of a cell array with one component: within the chosen blocks, which must have it, only
+   * cells where it has the value CellValue get the material. Empty or "None": all cells. Default:
+   * empty.
+   */
+  vtkSetStdStringFromCharMacro(CellArray);
+  vtkGetCharFromStdStringMacro(CellArray);
+  ///@}
+
+  ///@{
+  /**
+   * The value that chosen cells have in CellArray, exactly; at least one must have it. Default: 0.
+   */
+  vtkSetMacro(CellValue, double);
+  vtkGetMacro(CellValue, double);
+  ///@}
+
+protected:
+  vtkSurfaceMaterial() = default;
+  ~vtkSurfaceMaterial() override = default;
+
+  int ProcessRequest(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+  int Preset = CUSTOM;
+  double DiffuseReflectance[3] = { 0.5, 0.5, 0.5 };
+  double SpecularReflectance[3] = { 0.0, 0.0, 0.0 };
+  double GlossyReflectance[3] = { 0.0, 0.0, 0.0 };
+  double Roughness = 0.3;
+  double DiffuseTransmittance[3] = { 0.0, 0.0, 0.0 };
+  double ClearTransmittance[3] = { 0.0, 0.0, 0.0 };
+  double RefractiveIndex = 1.5;
+  bool SolidBody = false;
+  std::set<int> Blocks;
+  std::string CellArray;
+  double CellValue = 0.0;
+
+private:
+  vtkSurfaceMaterial(const vtkSurfaceMaterial&) = delete;
+  void operator=(const vtkSurfaceMaterial&) = delete;
+
+  void Assign(vtkDataObject* output);
+};
+
+#endif
