@@ -10,7 +10,7 @@
 
 CellValues::CellValues(
   const SceneBlock& block, const std::string& arrayName, const CellValueKind& kind)
-  : Array(CheckedCellArray(block.data, arrayName, block.name))
+  : Array(CheckedCellArray(block.data, arrayName, block.name, kind.colours))
 {
   for (const vtkIdType cell : block.cellOfFacet)
   {
@@ -28,17 +28,17 @@ CellValues::CellValues(
   }
 }
 
-float CellValues::Of(vtkIdType cell) const
+PhotonTransport::Colour CellValues::Of(vtkIdType cell) const
 {
   if (!this->Array)
   {
-    return static_cast<float>(this->Constant);
+    return this->Constant;
   }
+  PhotonTransport::Colour colour;
   const int components = this->Array->GetNumberOfComponents();
-  double sum = 0.0;
-  for (int c = 0; c < components; ++c)
+  for (int c = 0; c < 3; ++c)
   {
-    sum += this->Array->GetComponent(cell, c);
+    colour[c] = static_cast<float>(this->Array->GetComponent(cell, c % components));
   }
-  return static_cast<float>(sum / components);
+  return colour;
 }

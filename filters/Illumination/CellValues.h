@@ -2,6 +2,8 @@
 #ifndef CellValues_h
 #define CellValues_h
 
+#include "PhotonTransport/materials/Colour.h"
+
 #include "vtkType.h"
 
 #include <string>
@@ -14,13 +16,14 @@ struct CellValueKind
 {
   const char* what;
   double largest;
+  bool colours = true; ///< Whether three components will do too.
 };
 
-/// One number for each cell of a block: a constant, or the mean over the components of an array.
+/// A colour for each cell of a block: a constant, or what an array says. One component is grey.
 class CellValues
 {
 public:
-  explicit CellValues(double constant)
+  explicit CellValues(const PhotonTransport::Colour& constant)
     : Constant(constant)
   {
   }
@@ -29,10 +32,10 @@ public:
   /// one tuple a cell, and all values within [0, kind.largest].
   CellValues(const SceneBlock& block, const std::string& arrayName, const CellValueKind& kind);
 
-  float Of(vtkIdType cell) const;
+  PhotonTransport::Colour Of(vtkIdType cell) const;
 
 private:
-  double Constant = 0.0;
+  PhotonTransport::Colour Constant{ 0.0f };
   vtkDataArray* Array = nullptr;
 };
 

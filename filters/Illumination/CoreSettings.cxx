@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CoreSettings.h"
 
+#include "LuminaireFields.h"
+
 #include "vtkIlluminationMap.h"
 #include "vtkIlluminationMapSmoothing.h"
 #include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
 #include <sstream>
+#include <utility>
 
 namespace
 {
@@ -15,6 +20,18 @@ namespace
 glm::dvec3 Vector(const double v[3])
 {
   return { v[0], v[1], v[2] };
+}
+
+float Checked(double value, double least, double most, const char* property)
+{
+  if (!(value >= least && value <= most)) // NaN too
+  {
+    std::ostringstream message;
+    message << property << " is " << value << "; it must be within [" << least << ", " << most
+            << "]";
+    throw InputError(message.str());
+  }
+  return static_cast<float>(value);
 }
 
 /// The core counts without a sign and refuses 0 itself.
@@ -36,6 +53,9 @@ std::string ArrayName(const char* name)
   const std::string given = name ? name : "";
   return given == "None" ? "" : given;
 }
+
+namespace
+{
 
 PhotonTransport::Lamp LampOf(vtkIlluminationMap* filter)
 {
@@ -63,14 +83,92 @@ PhotonTransport::Lamp LampOf(vtkIlluminationMap* filter)
   }
 }
 
+/// Each name once, and none empty: "Lamp 2", "Spot (2)".
+void GiveNames(std::vector<PhotonTransport::Luminaire>& luminaires)
+{
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < luminaires.size(); ++i)
+  {
+    const std::string given = luminaires[i].name;
+    std::string name = given.empty() ? "Lamp " + std::to_string(i + 1) : given;
+    for (int copy = 2; !taken.insert(name).second; ++copy)
+    {
+      name = given + " (" + std::to_string(copy) + ")";
+    }
+    luminaires[i].name = name;
+  }
+}
+
+/// Of cells that no array describes.
+PhotonTransport::Material MaterialOf(vtkIlluminationMap* filter)
+{
+  using PhotonTransport::Colour;
+  PhotonTransport::Material material;
+  const auto share = [](double value, const char* property)
+  { return Colour(Checked(value, 0.0, 1.0, property)); };
+  material.diffuseReflectance = share(filter->GetReflectance(), "Reflectance");
+  material.specularReflectance = share(filter->GetSpecularReflectance(), "SpecularReflectance");
+  material.glossyReflectance = share(filter->GetGlossyReflectance(), "GlossyReflectance");
+  material.diffuseTransmittance = share(filter->GetDiffuseTransmittance(), "DiffuseTransmittance");
+  material.clearTransmittance = share(filter->GetClearTransmittance(), "ClearTransmittance");
+  material.roughness = Checked(filter->GetRoughness(), 0.0, 1.0, "Roughness");
+  material.refractiveIndex = Checked(filter->GetRefractiveIndex(), 1.0, 4.0, "RefractiveIndex");
+  material.solid = filter->GetSolidBody();
+  return material;
+}
+
+PhotonTransport::ScatteringSet SwitchedOn(vtkIlluminationMap* filter)
+{
+  using PhotonTransport::Scattering;
+  const std::pair<Scattering, bool> switches[] = { { Scattering::DiffuseReflection,
+                                                     filter->GetInterreflection() },
+    { Scattering::SpecularReflection, filter->GetSpecularReflection() },
+    { Scattering::GlossyReflection, filter->GetGlossyReflection() },
+    { Scattering::DiffuseTransmission, filter->GetDiffuseTransmission() },
+    { Scattering::ClearTransmission, filter->GetClearTransmission() },
+    { Scattering::Refraction, filter->GetRefraction() } };
+  PhotonTransport::ScatteringSet set = 0;
+  for (const auto& [scattering, on] : switches)
+  {
+    set |= on ? SetOf(scattering) : 0u;
+  }
+  return set;
+}
+
+} // namespace
+
+PhotonTransport::Lighting LightingOf(
+  vtkIlluminationMap* filter, const std::vector<vtkPolyData*>& luminaires)
+{
+  if (luminaires.empty())
+  {
+    return LampOf(filter);
+  }
+  PhotonTransport::Lighting lighting;
+  for (vtkPolyData* data : luminaires)
+  {
+    std::optional<PhotonTransport::Luminaire> luminaire = ReadLuminaire(data);
+    if (!luminaire)
+    {
+      throw InputError("luminaire " + std::to_string(lighting.luminaires.size() + 1) +
+        " is none: it has neither the field data of a luminaire nor a cell array 'Exitance'");
+    }
+    lighting.luminaires.push_back(std::move(*luminaire));
+  }
+  GiveNames(lighting.luminaires);
+  return lighting;
+}
+
 PhotonTransport::TraceSettings SettingsOf(vtkIlluminationMap* filter)
 {
   PhotonTransport::TraceSettings settings;
   settings.seed = static_cast<std::uint32_t>(filter->GetSeed());
   settings.sampling = static_cast<PhotonTransport::Sampling>(filter->GetSampling());
   settings.registration = static_cast<PhotonTransport::Registration>(filter->GetRegistration());
-  settings.interreflection = filter->GetInterreflection();
+  settings.scatterings = SwitchedOn(filter);
+  settings.colour = filter->GetColour();
   settings.registerBackSide = filter->GetRegisterBackSide();
+  settings.lampsApart = filter->GetLampContributions();
   settings.weightBound = static_cast<float>(filter->GetWeightBound());
   settings.maximumPathLength =
     Count<std::uint32_t>(filter->GetMaximumPathLength(), "maximum path length");
@@ -101,12 +199,13 @@ std::uint64_t MemoryLimitOf(vtkIlluminationMap* filter)
   return static_cast<std::uint64_t>(std::ceil(bytes));
 }
 
-SurfaceDescription DescriptionOf(vtkIlluminationMap* filter)
+SurfaceDescription DescriptionOf(vtkIlluminationMap* filter, bool otherLamps)
 {
   SurfaceDescription description;
-  description.reflectance = filter->GetReflectance();
+  description.material = MaterialOf(filter);
   description.reflectanceArray = ArrayName(filter->GetReflectanceArray());
-  if (filter->GetLampType() == vtkIlluminationMap::EMITTING_FACETS)
+  description.materialArrays = filter->GetUseMaterialArrays();
+  if (filter->GetLampType() == vtkIlluminationMap::EMITTING_FACETS && !otherLamps)
   {
     description.exitanceArray = ArrayName(filter->GetExitanceArray());
     if (description.exitanceArray.empty())

@@ -11,16 +11,21 @@
 
 class vtkIlluminationMap;
 class vtkIlluminationMapSmoothing;
+class vtkPolyData;
 
-PhotonTransport::Lamp LampOf(vtkIlluminationMap* filter);
+/// Throws InputError for data that describe no luminaire, or a wrong one.
+/// @param luminaires What is connected; the filter's own lamp serves if nothing is.
+PhotonTransport::Lighting LightingOf(
+  vtkIlluminationMap* filter, const std::vector<vtkPolyData*>& luminaires);
 PhotonTransport::TraceSettings SettingsOf(vtkIlluminationMap* filter);
 PhotonTransport::StopRules RulesOf(vtkIlluminationMap* filter);
 
 /// Bytes, 0 for what the machine has. Throws InputError for a limit that is none.
 std::uint64_t MemoryLimitOf(vtkIlluminationMap* filter);
 
-/// Throws InputError if the lamp needs an array and none is named.
-SurfaceDescription DescriptionOf(vtkIlluminationMap* filter);
+/// Throws InputError for values out of range, and if the lamp needs an array and none is named.
+/// @param otherLamps Whether luminaires are connected, so that the filter's own lamp is off.
+SurfaceDescription DescriptionOf(vtkIlluminationMap* filter, bool otherLamps);
 
 /// Throws InputError for an angle out of range.
 PhotonTransport::FiltrationSettings SettingsOf(vtkIlluminationMapSmoothing* filter);

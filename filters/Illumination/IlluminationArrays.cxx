@@ -14,12 +14,12 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <sstream>
 
 namespace
 {
 
 using PhotonTransport::Accuracy;
-using PhotonTransport::GroupValues;
 using PhotonTransport::IlluminationMap;
 using PhotonTransport::IlluminationRun;
 using PhotonTransport::StopReason;
@@ -62,9 +62,11 @@ public:
     return mean;
   }
 
-  std::vector<GroupValues> Mean(const std::vector<GroupValues>& values) const
+  template <std::size_t Size>
+  std::vector<std::array<double, Size>> Mean(
+    const std::vector<std::array<double, Size>>& values) const
   {
-    std::vector<GroupValues> mean(this->Areas.size(), GroupValues{});
+    std::vector<std::array<double, Size>> mean(this->Areas.size(), std::array<double, Size>{});
     this->ForEach(
       [&](std::size_t vertex, std::size_t point)
       {
@@ -136,6 +138,38 @@ std::string NameOf(StopReason reason)
   }
 }
 
+double FluxSwitchedOff(const IlluminationRun& run)
+{
+  double flux = 0.0;
+  for (unsigned s = 0; s < PhotonTransport::Scatterings; ++s)
+  {
+    flux += run.FluxSwitchedOff(static_cast<PhotonTransport::Scattering>(s));
+  }
+  return flux;
+}
+
+/// Why effects are on or off, and what those that were switched off would have carried.
+std::vector<std::string> EffectLines(const IlluminationRun& run)
+{
+  std::vector<std::string> lines = run.EffectsInUse().reasons;
+  for (unsigned s = 0; s < PhotonTransport::Scatterings; ++s)
+  {
+    const auto scattering = static_cast<PhotonTransport::Scattering>(s);
+    const double flux = run.FluxSwitchedOff(scattering);
+    const std::string start = EffectName(scattering) + ":";
+    for (std::string& line : lines)
+    {
+      if (flux > 0.0 && line.rfind(start, 0) == 0)
+      {
+        std::ostringstream text;
+        text << line << ", " << flux << " lm";
+        line = text.str();
+      }
+    }
+  }
+  return lines;
+}
+
 void AddFront(vtkPointData* arrays, const PointMapping& mapping, const IlluminationMap& map)
 {
   const std::vector<double> direct = mapping.Mean(map.direct);
@@ -178,6 +212,28 @@ void AddPointArrays(const SceneBlocks& blocks, const PhotonTransport::Scene& sce
   }
 }
 
+void AddLayers(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
+  const PhotonTransport::IlluminationRun& run, const PhotonTransport::Lighting* lighting)
+{
+  const auto add = [&](const std::string& name, const auto& values)
+  {
+    for (const SceneBlock& block : blocks.Blocks())
+    {
+      const PointMapping mapping(block, scene.VertexAreas(), block.data->GetNumberOfPoints());
+      AddArray(block.data->GetPointData(), name.c_str(), mapping.Mean(values));
+    }
+  };
+  if (run.EffectsInUse().colour)
+  {
+    add("IlluminanceRGB", run.FrontByColour());
+  }
+  for (std::size_t lamp = 0; lighting && lamp < lighting->luminaires.size(); ++lamp)
+  {
+    const std::string& name = lighting->luminaires[lamp].name;
+    add("Illuminance_" + (name.empty() ? "Lamp" : name), run.FrontOfLamp(lamp));
+  }
+}
+
 void AddGroupMeans(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
   const PhotonTransport::IlluminationRun& run)
 {
@@ -208,6 +264,7 @@ void AddFieldData(vtkFieldData* output, const IlluminationRun& run, StopReason r
   AddArray(output, "PhotonsCutOff", Count{ balance.cutOff });
   AddArray(output, "EmittedFlux", Value{ run.Flux() });
   AddArray(output, "FluxCutByWeightBound", Value{ run.FluxCutByWeightBound() });
+  AddArray(output, "FluxSwitchedOff", Value{ FluxSwitchedOff(run) });
   AddArray(output, "Seconds", Value{ run.Seconds() });
   AddArray(output, "PhotonsPerSecond", Value{ PerSecond(balance.emitted, run.Seconds()) });
   AddArray(output, "SegmentsPerSecond", Value{ PerSecond(balance.segments, run.Seconds()) });
@@ -217,7 +274,7 @@ void AddFieldData(vtkFieldData* output, const IlluminationRun& run, StopReason r
     AddArray(output, "PredictedSeconds", Value{ run.Rounds().back().predictedSeconds });
   }
   AddArray(output, "StoppedBy", Text{ NameOf(reason) });
-  AddArray(output, "Effects", run.EffectsInUse().reasons);
+  AddArray(output, "Effects", EffectLines(run));
   AddArray(output, "Notes", notes);
   AddArray(output, "IlluminationMapsVersion", Text{ ILLUMINATION_VERSION });
 }

@@ -15,6 +15,11 @@ class vtkTable;
 void AddPointArrays(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
   const PhotonTransport::IlluminationRun& run, bool backSide);
 
+/// Adds the light by colour, where there is any, and by luminaire.
+/// @param lighting Whose luminaires are kept apart; null if none are.
+void AddLayers(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
+  const PhotonTransport::IlluminationRun& run, const PhotonTransport::Lighting* lighting);
+
 /// Adds what the smoothing of the map works best with.
 void AddGroupMeans(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
   const PhotonTransport::IlluminationRun& run);

@@ -2,6 +2,7 @@
 #include "SceneBlocks.h"
 
 #include "CellValues.h"
+#include "FacetMaterials.h"
 #include "SurfaceTriangles.h"
 
 #include "vtkCellArray.h"
@@ -47,11 +48,6 @@ std::string NameOf(const char* what, vtkIdType id, const SceneBlock& block)
 SceneBlocks::SceneBlocks(vtkDataObject* data, const SurfaceDescription& description)
 {
   this->All.metresPerUnit = description.metresPerUnit;
-  if (!(description.reflectance >= 0.0 && description.reflectance <= 1.0))
-  {
-    throw InputError(
-      "Reflectance is " + std::to_string(description.reflectance) + "; it must be within [0, 1]");
-  }
   if (auto* single = vtkPolyData::SafeDownCast(data))
   {
     SceneBlock block;
@@ -80,6 +76,7 @@ SceneBlocks::SceneBlocks(vtkDataObject* data, const SurfaceDescription& descript
   {
     throw InputError("the input has no polygons or triangle strips with an area to light");
   }
+  DescribeMaterials(this->Parts, description, this->All);
 }
 
 void SceneBlocks::Append(SceneBlock block, const SurfaceDescription& description)
@@ -118,19 +115,13 @@ void SceneBlocks::Append(SceneBlock block, const SurfaceDescription& description
       offset + static_cast<unsigned>(ids[1]), offset + static_cast<unsigned>(ids[2]));
   }
 
-  const CellValues reflectance = description.reflectanceArray.empty()
-    ? CellValues(description.reflectance)
-    : CellValues(block, description.reflectanceArray, { "reflectance", 1.0 });
-  for (const vtkIdType cell : block.cellOfFacet)
-  {
-    this->All.reflectance.push_back(reflectance.Of(cell));
-  }
   if (!description.exitanceArray.empty())
   {
     const CellValues exitance(block, description.exitanceArray, { "exitance", VTK_FLOAT_MAX });
     for (const vtkIdType cell : block.cellOfFacet)
     {
-      this->All.exitance.push_back(exitance.Of(cell));
+      this->All.exitance.push_back(PhotonTransport::Luminous(exitance.Of(cell)));
+      this->All.exitanceColour.push_back(exitance.Of(cell));
     }
   }
   this->Parts.push_back(std::move(block));

@@ -39,9 +39,10 @@ struct SceneBlock
 /// What the arrays and properties say about the surface.
 struct SurfaceDescription
 {
-  double reflectance = 0.5;
-  std::string reflectanceArray; ///< Empty: the value above everywhere.
-  std::string exitanceArray;    ///< Empty: nothing emits.
+  PhotonTransport::Material material; ///< Where no array says otherwise.
+  std::string reflectanceArray;       ///< Empty: the array of the usual name, if there is one.
+  bool materialArrays = true;         ///< Whether arrays of MaterialArrays' names count.
+  std::string exitanceArray;          ///< Empty: nothing emits.
   double metresPerUnit = 1.0;
   double featureAngle = 30.0; ///< Degrees.
 };

@@ -69,9 +69,10 @@ vtkMTimeType LatestChange(vtkDataObject* data)
 /// A run that the next execution may go on with.
 struct vtkIlluminationMap::KeptRun
 {
-  KeptRun(vtkIlluminationMap* filter, const SceneBlocks& blocks, std::string shape)
+  KeptRun(vtkIlluminationMap* filter, const SceneBlocks& blocks,
+    const PhotonTransport::Lighting& lighting, std::string shape)
     : Scene(blocks.Surface())
-    , Run(this->Scene, LampOf(filter), SettingsOf(filter))
+    , Run(this->Scene, lighting, SettingsOf(filter))
     , Shape(std::move(shape))
   {
   }
@@ -95,6 +96,7 @@ struct vtkIlluminationMap::KeptRun
 
 vtkIlluminationMap::vtkIlluminationMap()
 {
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
 
@@ -107,11 +109,20 @@ void vtkIlluminationMap::Update(int port)
 }
 
 /// Everything that the map depends on but for the number of photons.
-std::string vtkIlluminationMap::WhatShapesTheMap(vtkDataObject* input)
+std::string vtkIlluminationMap::WhatShapesTheMap(vtkDataObject* input, const Luminaires& luminaires)
 {
   std::ostringstream shape;
   shape.precision(17);
   const auto add = [&](const auto&... values) { ((shape << values << '|'), ...); };
+  for (vtkPolyData* luminaire : luminaires)
+  {
+    add(static_cast<const void*>(luminaire), LatestChange(luminaire));
+  }
+  add(this->SpecularReflectance, this->GlossyReflectance, this->DiffuseTransmittance,
+    this->ClearTransmittance, this->Roughness, this->RefractiveIndex, this->SolidBody,
+    this->UseMaterialArrays, this->SpecularReflection, this->GlossyReflection,
+    this->DiffuseTransmission, this->ClearTransmission, this->Refraction, this->Colour,
+    this->LampContributions);
   add(static_cast<const void*>(input), LatestChange(input), this->LampType, this->LampPosition[0],
     this->LampPosition[1], this->LampPosition[2], this->LampDirection[0], this->LampDirection[1],
     this->LampDirection[2], this->LampSize[0], this->LampSize[1], this->SpotHalfAngle,
@@ -122,10 +133,27 @@ std::string vtkIlluminationMap::WhatShapesTheMap(vtkDataObject* input)
   return shape.str();
 }
 
-int vtkIlluminationMap::FillInputPortInformation(int, vtkInformation* info)
+int vtkIlluminationMap::FillInputPortInformation(int port, vtkInformation* info)
 {
-  RequireSurfaces(info);
+  if (port == 0)
+  {
+    RequireSurfaces(info);
+    return 1;
+  }
+  info->Set(INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(INPUT_IS_OPTIONAL(), 1);
+  info->Set(INPUT_IS_REPEATABLE(), 1);
   return 1;
+}
+
+void vtkIlluminationMap::AddLuminaireConnection(vtkAlgorithmOutput* luminaire)
+{
+  this->AddInputConnection(1, luminaire);
+}
+
+void vtkIlluminationMap::RemoveAllLuminaires()
+{
+  this->RemoveAllInputConnections(1);
 }
 
 int vtkIlluminationMap::FillOutputPortInformation(int port, vtkInformation* info)
@@ -154,13 +182,20 @@ int vtkIlluminationMap::RequestData(
 {
   // An observer may disconnect the input.
   const vtkSmartPointer<vtkDataObject> in = vtkDataObject::GetData(input[0]);
+  std::vector<vtkSmartPointer<vtkPolyData>> keptAlive;
+  Luminaires luminaires;
+  for (int i = 0; i < input[1]->GetNumberOfInformationObjects(); ++i)
+  {
+    keptAlive.emplace_back(vtkPolyData::GetData(input[1], i));
+    luminaires.push_back(keptAlive.back());
+  }
   vtkDataObject* out = vtkDataObject::GetData(output);
   PassThrough(in, out);
   // An error leaves the input passed through and the pipeline usable: it is said once, here, and
   // not again by the executive, which a return value of 0 would bring about.
   try
   {
-    this->Trace(in, out, vtkTable::GetData(output, 1));
+    this->Trace(in, luminaires, out, vtkTable::GetData(output, 1));
   }
   catch (const std::bad_alloc&)
   {
@@ -175,9 +210,11 @@ int vtkIlluminationMap::RequestData(
   return 1;
 }
 
-void vtkIlluminationMap::Trace(vtkDataObject* input, vtkDataObject* output, vtkTable* accuracy)
+void vtkIlluminationMap::Trace(
+  vtkDataObject* input, const Luminaires& luminaires, vtkDataObject* output, vtkTable* accuracy)
 {
-  const SceneBlocks blocks(output, DescriptionOf(this));
+  const SceneBlocks blocks(output, DescriptionOf(this, !luminaires.empty()));
+  const PhotonTransport::Lighting lighting = LightingOf(this, luminaires);
   try
   {
     const PhotonTransport::StopRules rules = RulesOf(this);
@@ -185,10 +222,10 @@ void vtkIlluminationMap::Trace(vtkDataObject* input, vtkDataObject* output, vtkT
     const PhotonTransport::TraceSettings settings = SettingsOf(this);
     Validate(settings);
     const std::uint64_t forGroups = this->GroupMeans ? PhotonTransport::GroupMeansPerVertex : 0;
-    const std::uint64_t need = PhotonTransport::MemoryNeed(blocks.Surface(), settings) +
+    const std::uint64_t need = PhotonTransport::MemoryNeed(blocks.Surface(), lighting, settings) +
       blocks.Surface().points.size() * forGroups;
     const std::uint64_t memoryLimit = MemoryLimitOf(this);
-    const std::string shape = this->WhatShapesTheMap(input);
+    const std::string shape = this->WhatShapesTheMap(input, luminaires);
     if (!this->Kept || !this->Kept->Serves(shape, this->Photons))
     {
       this->Kept.reset(); // first, so that two never share the memory
@@ -197,7 +234,7 @@ void vtkIlluminationMap::Trace(vtkDataObject* input, vtkDataObject* output, vtkT
         "Building the scene, up to " + std::to_string(need >> 20) + " MiB of memory";
       this->SetProgressText(text.c_str());
       this->UpdateProgress(0.0);
-      this->Kept = std::make_unique<KeptRun>(this, blocks, shape);
+      this->Kept = std::make_unique<KeptRun>(this, blocks, lighting, shape);
     }
     PhotonTransport::IlluminationRun& run = this->Kept->Run;
     const PhotonTransport::StopReason reason = run.Advance(rules,
@@ -208,6 +245,7 @@ void vtkIlluminationMap::Trace(vtkDataObject* input, vtkDataObject* output, vtkT
       });
 
     AddPointArrays(blocks, this->Kept->Scene, run, this->RegisterBackSide);
+    AddLayers(blocks, this->Kept->Scene, run, this->LampContributions ? &lighting : nullptr);
     if (this->GroupMeans)
     {
       AddGroupMeans(blocks, this->Kept->Scene, run);
@@ -236,6 +274,14 @@ void vtkIlluminationMap::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "LuminousFlux: " << this->LuminousFlux << "\n"
      << indent << "ParallelIlluminance: " << this->ParallelIlluminance << "\n"
      << indent << "Reflectance: " << this->Reflectance << "\n"
+     << indent << "SpecularReflectance: " << this->SpecularReflectance << "\n"
+     << indent << "GlossyReflectance: " << this->GlossyReflectance << "\n"
+     << indent << "Roughness: " << this->Roughness << "\n"
+     << indent << "DiffuseTransmittance: " << this->DiffuseTransmittance << "\n"
+     << indent << "ClearTransmittance: " << this->ClearTransmittance << "\n"
+     << indent << "RefractiveIndex: " << this->RefractiveIndex << "\n"
+     << indent << "SolidBody: " << this->SolidBody << "\n"
+     << indent << "UseMaterialArrays: " << this->UseMaterialArrays << "\n"
      << indent << "ReflectanceArray: " << this->ReflectanceArray << "\n"
      << indent << "ExitanceArray: " << this->ExitanceArray << "\n"
      << indent << "Registration: " << this->Registration << "\n"
@@ -245,6 +291,13 @@ void vtkIlluminationMap::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Seed: " << this->Seed << "\n"
      << indent << "Sampling: " << this->Sampling << "\n"
      << indent << "Interreflection: " << this->Interreflection << "\n"
+     << indent << "SpecularReflection: " << this->SpecularReflection << "\n"
+     << indent << "GlossyReflection: " << this->GlossyReflection << "\n"
+     << indent << "DiffuseTransmission: " << this->DiffuseTransmission << "\n"
+     << indent << "ClearTransmission: " << this->ClearTransmission << "\n"
+     << indent << "Refraction: " << this->Refraction << "\n"
+     << indent << "Colour: " << this->Colour << "\n"
+     << indent << "LampContributions: " << this->LampContributions << "\n"
      << indent << "RegisterBackSide: " << this->RegisterBackSide << "\n"
      << indent << "GroupMeans: " << this->GroupMeans << "\n"
      << indent << "MetresPerUnit: " << this->MetresPerUnit << "\n"

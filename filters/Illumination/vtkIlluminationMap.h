@@ -3,8 +3,8 @@
  * @class   vtkIlluminationMap
  * @brief   illuminance at every point of a triangulated surface, by photon tracing
  *
- * Traces photons from a lamp through the scene that the input describes and gives each point the
- * light that arrives there, directly and after any number of diffuse reflections. Hits are
+ * Traces photons from lamps through the scene that the input describes and gives each point the
+ * light that arrives there, directly and after any number of reflections. Hits are
  * registered on the vertices of the facet they land on and, in two of the three registrations,
  * compensated for the difference between the flat facet and the curved surface that the point
  * normals describe (B. Barladian, "Indirect illumination on curve surfaces").
@@ -16,15 +16,19 @@
  *
  * The output is the input, untouched, with these point arrays (double):
  *  - Illuminance (lx = lm/m^2): what arrives on the front; IlluminanceDirect + IlluminanceIndirect.
- *  - IlluminanceDirect, IlluminanceIndirect (lx): without and with a reflection on the way.
+ *  - IlluminanceDirect, IlluminanceIndirect (lx): straight from the lamps, thin panes in between
+ *    not counted, and all the rest.
  *  - StandardError (lx), RelativeError (StandardError / Illuminance, 0 where it is dark): the noise
  *    of Illuminance, from eight independent replicates. Facet size is not in it.
+ *  - IlluminanceRGB (lx, 3 components): by colour, where the scene has any; for white light the
+ *    three are equal, and 0.2126 R + 0.7152 G + 0.0722 B is Illuminance.
+ *  - Illuminance_<name> (lx): from one luminaire, with LampContributions.
  *  - IlluminanceBack, StandardErrorBack (lx): what arrives on the back, with RegisterBackSide.
  *  - PhotonHits (vtkIdType): photons that hit the front of a facet around the point.
  * and these field data arrays: PhotonsEmitted = PhotonsAbsorbed + PhotonsEscaped + PhotonsCutOff,
- * EmittedFlux (lm), FluxCutByWeightBound (lm), Seconds, PhotonsPerSecond, SegmentsPerSecond,
- * MemoryNeeded (bytes, at most), StoppedBy, Effects (which are on or off, and why), Notes (what was
- * found and mended in the input), IlluminationMapsVersion.
+ * EmittedFlux (lm), FluxCutByWeightBound (lm), FluxSwitchedOff (lm), Seconds, PhotonsPerSecond,
+ * SegmentsPerSecond, MemoryNeeded (bytes, at most), StoppedBy, Effects (which are on or off, and
+ * why), Notes (what was found and mended in the input), IlluminationMapsVersion.
  *
  * Give watts for lumens and the result is irradiance in W/m^2.
  *
@@ -43,6 +47,7 @@
 
 #include <memory> // for the kept run
 #include <string> // for array names
+#include <vector> // for luminaires
 
 class vtkTable;
 
@@ -153,7 +158,7 @@ public:
 
   ///@{
   /**
-   * Diffuse reflectance of all cells, both sides, [0, 1], where no ReflectanceArray is named.
+   * Diffuse reflectance of all cells, both sides, [0, 1], where no array says otherwise.
    * Default: 0.5.
    */
   vtkSetMacro(Reflectance, double);
@@ -162,8 +167,8 @@ public:
 
   ///@{
   /**
-   * Name of a cell array of diffuse reflectances in [0, 1], 1 or 3 components (3 are averaged).
-   * Default: none (empty, or "None").
+   * Name of a cell array of diffuse reflectances in [0, 1], 1 or 3 components (3 are a colour). It
+   * takes precedence over an array DiffuseReflectance. Default: none (empty, or "None").
    */
   vtkSetStdStringFromCharMacro(ReflectanceArray);
   vtkGetCharFromStdStringMacro(ReflectanceArray);
@@ -171,7 +176,60 @@ public:
 
   ///@{
   /**
-   * Name of a cell array of luminous exitances, lm/m^2, >= 0, 1 or 3 components (3 are averaged),
+   * Shares of the light that cells without arrays of their own treat in other ways than diffuse
+   * reflection, each in [0, 1] and with Reflectance at most 1 together; see vtkSurfaceMaterial for
+   * what they mean, which writes them onto cells. Default: 0.
+   */
+  vtkSetMacro(SpecularReflectance, double);
+  vtkGetMacro(SpecularReflectance, double);
+  vtkSetMacro(GlossyReflectance, double);
+  vtkGetMacro(GlossyReflectance, double);
+  vtkSetMacro(DiffuseTransmittance, double);
+  vtkGetMacro(DiffuseTransmittance, double);
+  vtkSetMacro(ClearTransmittance, double);
+  vtkGetMacro(ClearTransmittance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of the glossy share, (0, 1]. Default: 0.3.
+   */
+  vtkSetMacro(Roughness, double);
+  vtkGetMacro(Roughness, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of the clear share, [1, 4]. Default: 1.5.
+   */
+  vtkSetMacro(RefractiveIndex, double);
+  vtkGetMacro(RefractiveIndex, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether clear cells are the surface of a solid body, which bends light, in place of thin panes.
+   * Default: off.
+   */
+  vtkSetMacro(SolidBody, bool);
+  vtkGetMacro(SolidBody, bool);
+  vtkBooleanMacro(SolidBody, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the cell arrays that vtkSurfaceMaterial writes (DiffuseReflectance,
+   * SpecularReflectance, GlossyReflectance, Roughness, DiffuseTransmittance, ClearTransmittance,
+   * RefractiveIndex, SolidBody) count where a block has them. Default: on.
+   */
+  vtkSetMacro(UseMaterialArrays, bool);
+  vtkGetMacro(UseMaterialArrays, bool);
+  vtkBooleanMacro(UseMaterialArrays, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Name of a cell array of luminous exitances, lm/m^2, >= 0, 1 or 3 components (3 are a colour),
    * for EMITTING_FACETS: the cells' fronts shine diffusely. Default: none (empty, or "None").
    */
   vtkSetStdStringFromCharMacro(ExitanceArray);
@@ -230,12 +288,66 @@ public:
 
   ///@{
   /**
-   * Whether light is reflected. Switched off, photons end where they first arrive, and those that
-   * would have gone on are counted in PhotonsCutOff. Default: on.
+   * Whether light is reflected diffusely. Each of these effects is simulated only where the scene
+   * calls for it (the field array Effects says why or why not) and can be switched off: photons
+   * that would have taken that way then end, and are counted in PhotonsCutOff and
+   * FluxSwitchedOff. Default: on.
    */
   vtkSetMacro(Interreflection, bool);
   vtkGetMacro(Interreflection, bool);
   vtkBooleanMacro(Interreflection, bool);
+  ///@}
+
+  ///@{
+  /**
+   * As by a mirror; in a lobe about that direction; diffusely to the other side; through thin
+   * panes, or off them; at the surface of solid bodies. As Interreflection. Default: on.
+   */
+  vtkSetMacro(SpecularReflection, bool);
+  vtkGetMacro(SpecularReflection, bool);
+  vtkBooleanMacro(SpecularReflection, bool);
+  vtkSetMacro(GlossyReflection, bool);
+  vtkGetMacro(GlossyReflection, bool);
+  vtkBooleanMacro(GlossyReflection, bool);
+  vtkSetMacro(DiffuseTransmission, bool);
+  vtkGetMacro(DiffuseTransmission, bool);
+  vtkBooleanMacro(DiffuseTransmission, bool);
+  vtkSetMacro(ClearTransmission, bool);
+  vtkGetMacro(ClearTransmission, bool);
+  vtkBooleanMacro(ClearTransmission, bool);
+  vtkSetMacro(Refraction, bool);
+  vtkGetMacro(Refraction, bool);
+  vtkBooleanMacro(Refraction, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether photons carry one of three channels each, if any material or lamp has a colour. Off,
+   * or in a scene without colours, there is one channel, the luminous one. Default: on.
+   */
+  vtkSetMacro(Colour, bool);
+  vtkGetMacro(Colour, bool);
+  vtkBooleanMacro(Colour, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether each luminaire's part is kept, as Illuminance_<name>, so that lamps can be dimmed
+   * without tracing again. Costs 8 bytes a point and lamp, for each thread once more. Default: off.
+   */
+  vtkSetMacro(LampContributions, bool);
+  vtkGetMacro(LampContributions, bool);
+  vtkBooleanMacro(LampContributions, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The second, optional, repeatable input: luminaires, from vtkLuminaireSource, or surfaces that
+   * shine by a cell array "Exitance" (lm/m^2) but are no part of the scene. With any of them the
+   * filter's own lamp is off.
+   */
+  void AddLuminaireConnection(vtkAlgorithmOutput* luminaire);
+  void RemoveAllLuminaires();
   ///@}
 
   ///@{
@@ -335,6 +447,14 @@ protected:
   double LuminousFlux = 1000.0;
   double ParallelIlluminance = 1000.0;
   double Reflectance = 0.5;
+  double SpecularReflectance = 0.0;
+  double GlossyReflectance = 0.0;
+  double DiffuseTransmittance = 0.0;
+  double ClearTransmittance = 0.0;
+  double Roughness = 0.3;
+  double RefractiveIndex = 1.5;
+  bool SolidBody = false;
+  bool UseMaterialArrays = true;
   std::string ReflectanceArray;
   std::string ExitanceArray;
   int Registration = VERTEX_NORMALISED;
@@ -344,6 +464,13 @@ protected:
   int Seed = 1;
   int Sampling = SOBOL;
   bool Interreflection = true;
+  bool SpecularReflection = true;
+  bool GlossyReflection = true;
+  bool DiffuseTransmission = true;
+  bool ClearTransmission = true;
+  bool Refraction = true;
+  bool Colour = true;
+  bool LampContributions = false;
   bool RegisterBackSide = false;
   bool GroupMeans = false;
   double MetresPerUnit = 1.0;
@@ -357,8 +484,10 @@ private:
   vtkIlluminationMap(const vtkIlluminationMap&) = delete;
   void operator=(const vtkIlluminationMap&) = delete;
 
-  void Trace(vtkDataObject* input, vtkDataObject* output, vtkTable* accuracy);
-  std::string WhatShapesTheMap(vtkDataObject* input);
+  using Luminaires = std::vector<vtkPolyData*>;
+  void Trace(
+    vtkDataObject* input, const Luminaires& luminaires, vtkDataObject* output, vtkTable* accuracy);
+  std::string WhatShapesTheMap(vtkDataObject* input, const Luminaires& luminaires);
 
   struct KeptRun;
   std::unique_ptr<KeptRun> Kept; ///< To go on from.

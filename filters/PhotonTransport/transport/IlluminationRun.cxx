@@ -227,16 +227,15 @@ double IlluminationRun::LuxOfLayer(std::size_t vertex, std::size_t layer) const
   return emitted > 0.0 && area > 0.0 ? this->Flux() / emitted * FromFixedPoint(sum) / area : 0.0;
 }
 
-std::vector<Colour> IlluminationRun::FrontByColour() const
+std::vector<std::array<double, 3>> IlluminationRun::FrontByColour() const
 {
-  std::vector<Colour> front;
+  std::vector<std::array<double, 3>> front;
   for (std::size_t v = 0; v < this->Surroundings.Vertices().size() && this->Layers.HasColour(); ++v)
   {
-    Colour lux;
-    for (int c = 0; c < 3; ++c)
+    std::array<double, 3> lux;
+    for (std::size_t c = 0; c < 3; ++c)
     {
-      const double luminous = this->LuxOfLayer(v, static_cast<std::size_t>(c));
-      lux[c] = static_cast<float>(luminous / LuminousWeights[c]);
+      lux[c] = this->LuxOfLayer(v, c) / double{ LuminousWeights[static_cast<int>(c)] };
     }
     front.push_back(lux);
   }

@@ -5,6 +5,7 @@
 #include "PhotonTransport/transport/PhotonTracer.h"
 #include "PhotonTransport/transport/ReplicateSums.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -73,7 +74,7 @@ public:
 
   /// The front's light by colour, lx: [vertex], a light's three channels being equal where it is
   /// white; by LuminousWeights they make up Front(). Empty where the scene calls for no colour.
-  std::vector<Colour> FrontByColour() const;
+  std::vector<std::array<double, 3>> FrontByColour() const;
   /// The front's light from one luminaire, lx. Only if the settings ask for lamps apart.
   std::vector<double> FrontOfLamp(std::size_t lamp) const;
 

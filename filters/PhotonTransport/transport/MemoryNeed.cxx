@@ -74,16 +74,31 @@ constexpr ControlGroup ControlGroups[] = {
 
 } // namespace
 
-std::uint64_t MemoryNeed(const Surface& surface, const TraceSettings& settings)
+std::uint64_t MemoryNeed(
+  const Surface& surface, const Lighting& lighting, const TraceSettings& settings)
 {
   const std::uint64_t sides = settings.registerBackSide ? 2 : 1;
   const auto threads = static_cast<std::uint64_t>(
     settings.threads > 0 ? settings.threads : tbb::info::default_concurrency());
   const std::uint64_t sumsPerVertex = (settings.replicates + threads) * sides * sizeof(VertexSums);
-  const std::uint64_t perVertex =
-    InputPerVertex + ScenePerVertex + LampPerVertex + sides * MapPerVertex + sumsPerVertex;
+  // Whether there is colour is known only once the facets have been looked at.
+  const bool colour = settings.colour &&
+    (!surface.materials.empty() || !surface.exitanceColour.empty() ||
+      std::any_of(lighting.luminaires.begin(), lighting.luminaires.end(),
+        [](const Luminaire& luminaire) { return !IsGrey(luminaire.colour); }));
+  const std::uint64_t lamps = settings.lampsApart ? lighting.luminaires.size() : 0;
+  const std::uint64_t layers = (colour ? LightLayers::Channels : 0) + lamps;
+  // Each thread's sums and the whole's, and what a filter makes of them.
+  const std::uint64_t layersPerVertex =
+    layers * ((threads + 1) * sizeof(FixedPoint) + 3 * sizeof(double));
+  const std::uint64_t perVertex = layersPerVertex + InputPerVertex + ScenePerVertex +
+    LampPerVertex + sides * MapPerVertex + sumsPerVertex;
   const std::uint64_t perFacet = InputPerFacet + ScenePerFacet + EmbreePerFacet + LampPerFacet;
-  return surface.points.size() * perVertex + surface.facets.size() * perFacet;
+  const std::uint64_t materials =
+    surface.materials.size() * (2 * sizeof(Material) + sizeof(Roulette)) +
+    surface.materialOfFacet.size() * 3 * sizeof(std::uint32_t) +
+    surface.exitanceColour.size() * 2 * sizeof(Colour);
+  return surface.points.size() * perVertex + surface.facets.size() * perFacet + materials;
 }
 
 std::optional<std::uint64_t> AvailableMemory()

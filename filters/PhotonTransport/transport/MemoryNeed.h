@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/lights/Lamp.h"
 #include "PhotonTransport/scene/Surface.h"
 #include "PhotonTransport/statistics/GroupMeans.h"
 #include "PhotonTransport/transport/TraceSettings.h"
@@ -14,7 +15,8 @@ namespace PhotonTransport
 /// Bytes that a Surface, its Scene, an IlluminationRun and the maps it gives take together at most,
 /// told before any of it is allocated. Counts what grows with the surface; a few MiB that every
 /// process takes are not in it.
-std::uint64_t MemoryNeed(const Surface& surface, const TraceSettings& settings);
+std::uint64_t MemoryNeed(
+  const Surface& surface, const Lighting& lighting, const TraceSettings& settings);
 
 /// Bytes more for each vertex where group means are asked for: as the core makes them, by point,
 /// and as arrays.
