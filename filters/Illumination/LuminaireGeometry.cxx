@@ -160,7 +160,7 @@ public:
     vtkNew<vtkRegularPolygonSource> disk;
     disk->SetNumberOfSides(Sides);
     disk->SetCenter(lamp.centre.x, lamp.centre.y, lamp.centre.z);
-    disk->SetNormal(aim.x, aim.y, aim.z);
+    disk->SetNormal(-aim.x, -aim.y, -aim.z); // round which it winds clockwise
     disk->SetRadius(lamp.radius);
     disk->GeneratePolylineOff();
     disk->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
