@@ -24,14 +24,26 @@ public:
 
 /// IESNA LM-63 of 1991, 1995, 2002 and 2019 (and 1986, which has no format line): photometry types
 /// C, B and A with their symmetries, TILT (NONE, INCLUDE, or a file beside it), relative and
-/// absolute. @param folder Of the file, for TILT=name.
+/// absolute. Intensities are the file's times the candela multiplier, the ballast factor, the
+/// ballast-lamp photometric factor (1986 and 1991; later a number without a meaning here) and the
+/// TILT factor at 0 degrees: the factors at other angles are for luminaires that are tilted from
+/// the position in which they were measured, which a file can't know. @param folder Of the file,
+/// for TILT=name.
 PhotometricSolid ReadIes(std::istream& file, const std::string& folder = {});
 
-/// EULUMDAT (.ldt): symmetries 0 to 4, cd/klm times the flux of the lamps.
+/// EULUMDAT (.ldt): symmetries 0 to 4, cd/klm times the flux of the lamps and the conversion
+/// factor. Sets of lamps are alternatives, the first one counts.
 PhotometricSolid ReadEulumdat(std::istream& file);
 
 /// By the name's extension: .ies, .ldt (or .eul), in any case. Throws std::runtime_error with the
 /// name for a file that can't be opened or is of another kind, and PhotometricFileError.
 PhotometricSolid ReadPhotometricFile(const std::string& path);
+
+/// Whether a name has one of those extensions.
+bool IsPhotometricFileName(const std::string& path);
+
+/// What all readers accept: more planes or angles than this is no photometry, but a broken count.
+constexpr std::size_t MostAngles = 10000;
+constexpr std::size_t MostIntensities = 10000000;
 
 } // namespace PhotonTransport

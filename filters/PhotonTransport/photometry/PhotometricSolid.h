@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <glm/vec3.hpp>
+
 #include <string>
 #include <vector>
 
@@ -26,19 +28,26 @@ struct PhotometricSolid
 
   Type type = Type::C;
   std::vector<double> polar;   ///< p, degrees, rising, in [0, 180]; two or more.
-  std::vector<double> azimuth; ///< z, degrees, rising, from first to last at most 360; two or more.
+  std::vector<double> azimuth; ///< z, degrees, rising, from first to last at most 360, which may
+                               ///< begin below 0 or end above 360; two or more.
   std::vector<double> candela; ///< [azimuth][polar], finite, >= 0, with all factors of the file.
 
   double ratedFlux = 0.0;  ///< lm of the file's bare lamps together; 0 for absolute photometry.
   double inputPower = 0.0; ///< W; 0 if not given.
-  double width = 0.0, length = 0.0, height = 0.0; ///< m, of the luminous opening; 0: a point.
-  std::string description; ///< Manufacturer, name and number as far as given, one line.
+  /// m, of the luminous opening, a diameter where it is round; 0: a point. As the files call them:
+  /// the length lies in the plane of 0 degrees in IES files, of 90 degrees in EULUMDAT.
+  double width = 0.0, length = 0.0, height = 0.0;
+  std::string description; ///< Manufacturer, name and number as far as given, one line, UTF-8.
 };
 
 /// The flux of the bilinear solid, integrated exactly, lm.
 double Flux(const PhotometricSolid& solid);
 
-/// cd towards polar angle and azimuth, degrees.
+/// cd towards polar angle and azimuth, degrees. The azimuth may be any turns away.
 double Intensity(const PhotometricSolid& solid, double polar, double azimuth);
+
+/// The direction of two angles, degrees, for a lamp that aims along a = -z with its x and y along x
+/// and y.
+glm::dvec3 PhotometricDirection(PhotometricSolid::Type type, double polar, double azimuth);
 
 } // namespace PhotonTransport
