@@ -51,8 +51,11 @@ void CheckSolid(Checks& check)
 {
   const PhotometricSolid given = SolidOfTypeB().solid;
   // Through a file too, whose format has its own way with texts.
+  vtkNew<vtkPlaneSource> plane;
+  plane->Update();
+  AddLuminaire(plane->GetOutput()->GetFieldData(), { SolidOfTypeB(), "" });
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(Carrier({ SolidOfTypeB(), "" }));
+  writer->SetInputData(plane->GetOutput());
   writer->WriteToOutputStringOn();
   writer->Write();
   vtkNew<vtkXMLPolyDataReader> reader;
