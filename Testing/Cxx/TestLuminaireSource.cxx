@@ -216,6 +216,32 @@ void CheckPhotometric(Checks& check)
   std::filesystem::remove(path);
 }
 
+/// Large numbers overflow nowhere.
+void CheckFarAway(Checks& check)
+{
+  const std::string path = WriteIes();
+  for (int type = vtkLuminaireSource::PARALLEL; type <= vtkLuminaireSource::PHOTOMETRIC_FILE;
+       ++type)
+  {
+    auto source = Source(type);
+    source->SetPosition(1e200, -1e200, 0.0);
+    source->SetDirection(1e-200, 1e-200, -1e-200);
+    source->SetSize(1e30, 1e-30);
+    source->SetGlyphSize(1e30);
+    source->SetFileName(path.c_str());
+    source->Update();
+    vtkPolyData* output = source->GetOutput();
+    check(output->GetNumberOfCells() > 0, "type " + std::to_string(type) + " is drawn far away");
+    for (vtkIdType p = 0; p < output->GetNumberOfPoints(); ++p)
+    {
+      const double* point = output->GetPoint(p);
+      check(std::isfinite(point[0] + point[1] + point[2]),
+        "type " + std::to_string(type) + ": point " + std::to_string(p) + " is finite");
+    }
+  }
+  std::filesystem::remove(path);
+}
+
 /// Expects one error with these words and nothing in the output.
 void Expect(vtkLuminaireSource* source, const std::string& words, Checks& check)
 {
@@ -295,6 +321,7 @@ int TestLuminaireSource(int, char*[])
   CheckAreas(check);
   CheckSkies(check);
   CheckPhotometric(check);
+  CheckFarAway(check);
   CheckErrors(check);
   return check.Failures();
 }

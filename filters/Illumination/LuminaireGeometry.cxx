@@ -8,7 +8,6 @@
 #include "vtkLineSource.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
-#include "vtkPlaneSource.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRegularPolygonSource.h"
@@ -139,21 +138,30 @@ public:
   }
   Result operator()(const RectangleLamp& lamp) const
   {
+    // The same axes as those of the lamp's emitter.
     const glm::dvec3 aim = Unit(lamp.direction);
     const glm::dvec3 across = glm::cross(glm::dvec3(0.0, 0.0, 1.0), aim);
-    const bool vertical = across == glm::dvec3(0.0);
-    const glm::dvec3 width = vertical ? glm::dvec3(1.0, 0.0, 0.0) : Unit(across);
-    const glm::dvec3 height = glm::cross(aim, width);
-    const glm::dvec3 corner = lamp.centre - width * lamp.width / 2.0 - height * lamp.height / 2.0;
-    const glm::dvec3 right = corner + width * lamp.width;
-    const glm::dvec3 top = corner + height * lamp.height;
-    vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(corner.x, corner.y, corner.z);
-    plane->SetPoint1(right.x, right.y, right.z);
-    plane->SetPoint2(top.x, top.y, top.z);
-    plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-    plane->Update();
-    return plane->GetOutput();
+    constexpr double vertical = 1e-6;
+    const glm::dvec3 axis =
+      glm::length(across) > vertical ? glm::normalize(across) : glm::dvec3(1.0, 0.0, 0.0);
+    const glm::dvec3 width = axis * (lamp.width / 2.0);
+    const glm::dvec3 height = glm::cross(aim, axis) * (lamp.height / 2.0);
+
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const glm::dvec3& corner :
+      { -width - height, width - height, width + height, height - width })
+    {
+      const glm::dvec3 point = lamp.centre + corner;
+      points->InsertNextPoint(point.x, point.y, point.z);
+    }
+    const vtkIdType ids[4] = { 0, 1, 2, 3 };
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell(4, ids);
+    auto panel = Result::New();
+    panel->SetPoints(points);
+    panel->SetPolys(cells);
+    return panel;
   }
   Result operator()(const DiskLamp& lamp) const
   {
