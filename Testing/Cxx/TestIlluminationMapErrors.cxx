@@ -5,7 +5,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCommand.h"
 #include "vtkExecutive.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
@@ -18,22 +17,6 @@
 
 namespace
 {
-
-/// Counts the errors of what it observes and keeps their text.
-class ErrorCounter : public vtkCommand
-{
-public:
-  static ErrorCounter* New() { return new ErrorCounter; }
-
-  void Execute(vtkObject*, unsigned long, void* text) override
-  {
-    ++this->Count;
-    this->Messages += static_cast<const char*>(text);
-  }
-
-  int Count = 0;
-  std::string Messages;
-};
 
 class ErrorCase
 {

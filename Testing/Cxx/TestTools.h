@@ -5,6 +5,7 @@
 #include "vtkIlluminationMap.h"
 
 #include "vtkAbstractArray.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
@@ -31,6 +32,22 @@ public:
 
 private:
   int Count = 0;
+};
+
+/// Counts the errors of what it observes and keeps their text.
+class ErrorCounter : public vtkCommand
+{
+public:
+  static ErrorCounter* New() { return new ErrorCounter; }
+
+  void Execute(vtkObject*, unsigned long, void* text) override
+  {
+    ++this->Count;
+    this->Messages += static_cast<const char*>(text);
+  }
+
+  int Count = 0;
+  std::string Messages;
 };
 
 /// A number of the output's field data; -1 if there is none of that name.

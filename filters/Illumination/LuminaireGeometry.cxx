@@ -8,7 +8,6 @@
 #include "vtkLineSource.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
-#include "vtkPlaneSource.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRegularPolygonSource.h"
@@ -21,7 +20,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <variant>
+#include <vector>
 
 namespace
 {
@@ -138,21 +138,30 @@ public:
   }
   Result operator()(const RectangleLamp& lamp) const
   {
+    // The same axes as those of the lamp's emitter.
     const glm::dvec3 aim = Unit(lamp.direction);
     const glm::dvec3 across = glm::cross(glm::dvec3(0.0, 0.0, 1.0), aim);
-    const bool vertical = across == glm::dvec3(0.0);
-    const glm::dvec3 width = vertical ? glm::dvec3(1.0, 0.0, 0.0) : Unit(across);
-    const glm::dvec3 height = glm::cross(aim, width);
-    const glm::dvec3 corner = lamp.centre - width * lamp.width / 2.0 - height * lamp.height / 2.0;
-    const glm::dvec3 right = corner + width * lamp.width;
-    const glm::dvec3 top = corner + height * lamp.height;
-    vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(corner.x, corner.y, corner.z);
-    plane->SetPoint1(right.x, right.y, right.z);
-    plane->SetPoint2(top.x, top.y, top.z);
-    plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-    plane->Update();
-    return plane->GetOutput();
+    constexpr double vertical = 1e-6;
+    const glm::dvec3 axis =
+      glm::length(across) > vertical ? glm::normalize(across) : glm::dvec3(1.0, 0.0, 0.0);
+    const glm::dvec3 width = axis * (lamp.width / 2.0);
+    const glm::dvec3 height = glm::cross(aim, axis) * (lamp.height / 2.0);
+
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const glm::dvec3& corner :
+      { -width - height, width - height, width + height, height - width })
+    {
+      const glm::dvec3 point = lamp.centre + corner;
+      points->InsertNextPoint(point.x, point.y, point.z);
+    }
+    const vtkIdType ids[4] = { 0, 1, 2, 3 };
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell(4, ids);
+    auto panel = Result::New();
+    panel->SetPoints(points);
+    panel->SetPolys(cells);
+    return panel;
   }
   Result operator()(const DiskLamp& lamp) const
   {
@@ -160,7 +169,7 @@ public:
     vtkNew<vtkRegularPolygonSource> disk;
     disk->SetNumberOfSides(Sides);
     disk->SetCenter(lamp.centre.x, lamp.centre.y, lamp.centre.z);
-    disk->SetNormal(aim.x, aim.y, aim.z);
+    disk->SetNormal(-aim.x, -aim.y, -aim.z); // round which it winds clockwise
     disk->SetRadius(lamp.radius);
     disk->GeneratePolylineOff();
     disk->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
@@ -193,48 +202,47 @@ private:
   LuminaireGlyph Glyph;
 };
 
-/// Towards polar angle and azimuth, degrees, for a lamp that aims along -z; as PhotometricSolid
-/// says for each type.
-glm::dvec3 SolidDirection(PhotometricSolid::Type type, double polar, double azimuth)
+/// The angles and others between them: a solid of revolution has two azimuths only.
+std::vector<double> Refined(const std::vector<double>& angles)
 {
-  const double p = vtkMath::RadiansFromDegrees(polar);
-  const double z = vtkMath::RadiansFromDegrees(azimuth);
-  const glm::dvec3 aim = UnturnedAim;
-  const glm::dvec3 x(1.0, 0.0, 0.0);
-  const glm::dvec3 y(0.0, 1.0, 0.0);
-  switch (type)
+  constexpr double widest = 360.0 / Sides;
+  std::vector<double> refined{ angles.front() };
+  for (std::size_t i = 1; i < angles.size(); ++i)
   {
-    case PhotometricSolid::Type::A:
-      return std::cos(p) * y + std::sin(p) * (std::cos(z) * aim + std::sin(z) * x);
-    case PhotometricSolid::Type::B:
-      return std::cos(p) * x + std::sin(p) * (std::cos(z) * aim + std::sin(z) * y);
-    default:
-      return std::cos(p) * aim + std::sin(p) * (std::cos(z) * x + std::sin(z) * y);
+    const double gap = angles[i] - angles[i - 1];
+    const double steps = std::ceil(gap / widest);
+    for (double step = 1.0; step < steps; ++step)
+    {
+      refined.push_back(angles[i - 1] + gap * step / steps);
+    }
+    refined.push_back(angles[i]);
   }
+  return refined;
 }
 
 /// Quadrilaterals between neighbouring angles, as far from the lamp as the intensity there.
 vtkSmartPointer<vtkPolyData> PolarDiagram(const PhotometricSolid& solid)
 {
   const double largest = *std::max_element(solid.candela.begin(), solid.candela.end());
+  const std::vector<double> polars = Refined(solid.polar);
+  const std::vector<double> azimuths = Refined(solid.azimuth);
+  const auto row = static_cast<vtkIdType>(polars.size());
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> cells;
-  const auto polars = static_cast<vtkIdType>(solid.polar.size());
-  std::size_t i = 0;
-  for (const double azimuth : solid.azimuth)
+  for (std::size_t z = 0; z < azimuths.size(); ++z)
   {
-    for (const double polar : solid.polar)
+    for (std::size_t p = 0; p < polars.size(); ++p)
     {
-      const double radius = largest > 0.0 ? solid.candela[i] / largest : 0.0;
-      const glm::dvec3 point = radius * SolidDirection(solid.type, polar, azimuth);
+      const double radius =
+        largest > 0.0 ? Intensity(solid, polars[p], azimuths[z]) / largest : 0.0;
+      const glm::dvec3 point = radius * PhotometricDirection(solid.type, polars[p], azimuths[z]);
       const vtkIdType id = points->InsertNextPoint(point.x, point.y, point.z);
-      if (azimuth != solid.azimuth.front() && polar != solid.polar.front())
+      if (z > 0 && p > 0)
       {
-        const vtkIdType corners[4] = { id - polars - 1, id - polars, id, id - 1 };
+        const vtkIdType corners[4] = { id - row - 1, id - row, id, id - 1 };
         cells->InsertNextCell(4, corners);
       }
-      ++i;
     }
   }
   auto diagram = vtkSmartPointer<vtkPolyData>::New();

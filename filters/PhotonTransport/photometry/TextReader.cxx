@@ -60,7 +60,7 @@ bool IsUtf8(std::string_view text)
 
 } // namespace
 
-bool TextReader::NextLine(std::string& line)
+bool TextReader::FetchLine()
 {
   this->Token = {};
   this->Position = 0;
@@ -78,8 +78,15 @@ bool TextReader::NextLine(std::string& line)
   {
     this->Line.pop_back();
   }
-  line = this->Line;
   return true;
+}
+
+bool TextReader::NextLine(std::string& line)
+{
+  const bool found = this->FetchLine();
+  line = this->Line;
+  this->Position = this->Line.size();
+  return found;
 }
 
 std::string TextReader::TextLine(const char* name)
@@ -94,8 +101,7 @@ std::string TextReader::TextLine(const char* name)
 
 void TextReader::ReadTokenLine(const NumberName& name)
 {
-  std::string line;
-  if (!this->NextLine(line))
+  if (!this->FetchLine())
   {
     this->Fail("the file ends where its " + Text(name) + " should come");
   }
@@ -173,10 +179,9 @@ bool TextReader::FindToken()
     }
     return this->Position < this->Line.size();
   };
-  std::string line;
   while (!skip())
   {
-    if (!this->NextLine(line))
+    if (!this->FetchLine())
     {
       return false;
     }

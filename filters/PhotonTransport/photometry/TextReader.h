@@ -36,8 +36,8 @@ public:
 
   std::size_t LineNumber() const { return this->Number; }
 
-  /// The next line without its end; the rest of the present one is skipped. @return False at the
-  /// end of the file.
+  /// The next line without its end; numbers come from later ones. @return False at the end of the
+  /// file.
   bool NextLine(std::string& line);
 
   /// The next line, which must be there, without blanks at either end.
@@ -61,6 +61,7 @@ public:
   [[noreturn]] void Fail(const std::string& message) const;
 
 private:
+  bool FetchLine();
   bool FindToken();
   void ReadTokenLine(const NumberName& name);
   double Parse(const NumberName& name, double smallest, double largest) const;

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Luminaires as field data and as emitting surfaces: what comes back, and what is refused.
+#include "TestTools.h"
+
+#include "LuminaireFields.h"
+#include "SceneBlocks.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <cmath>
+
+namespace
+{
+
+using namespace PhotonTransport;
+
+PhotometricLamp SolidOfTypeB()
+{
+  PhotometricLamp lamp;
+  lamp.solid.type = PhotometricSolid::Type::B;
+  lamp.solid.polar = { 10.0, 90.0, 170.0 };
+  lamp.solid.azimuth = { -90.0, 90.0 };
+  lamp.solid.candela = { 1.0, 2.0, 3.0, 4.0, 5.0, 6.0 };
+  lamp.solid.ratedFlux = 7.0;
+  lamp.solid.inputPower = 8.0;
+  lamp.solid.width = 0.1;
+  lamp.solid.length = 0.2;
+  lamp.solid.height = 0.3;
+  lamp.solid.description = "a floodlight";
+  return lamp;
+}
+
+vtkSmartPointer<vtkPolyData> Carrier(const Luminaire& luminaire)
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  AddLuminaire(data->GetFieldData(), luminaire);
+  return data;
+}
+
+void CheckSolid(Checks& check)
+{
+  const PhotometricSolid given = SolidOfTypeB().solid;
+  // Through a file too, whose format has its own way with texts.
+  vtkNew<vtkPlaneSource> plane;
+  plane->Update();
+  AddLuminaire(plane->GetOutput()->GetFieldData(), { SolidOfTypeB(), "" });
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(plane->GetOutput());
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(writer->GetOutputString());
+  reader->Update();
+  const auto luminaire = ReadLuminaire(reader->GetOutput());
+  const auto* lamp = luminaire ? std::get_if<PhotometricLamp>(&luminaire->lamp) : nullptr;
+  check(lamp && luminaire->name.empty(), "a photometric lamp without a name comes back");
+  if (!lamp)
+  {
+    return;
+  }
+  const PhotometricSolid& solid = lamp->solid;
+  check(solid.type == given.type, "type");
+  check(solid.polar == given.polar && solid.azimuth == given.azimuth, "angles");
+  check(solid.candela == given.candela, "intensities");
+  check(solid.ratedFlux == 7.0 && solid.inputPower == 8.0, "flux and power");
+  check(solid.width == 0.1 && solid.length == 0.2 && solid.height == 0.3, "opening");
+  check(solid.description == given.description, "description");
+
+  UniformSky sky;
+  sky.wholeSphere = true;
+  sky.up = { 0.0, 1.0, 0.0 };
+  const auto round = ReadLuminaire(Carrier({ sky, "" }));
+  check(round && std::get<UniformSky>(round->lamp).wholeSphere &&
+      std::get<UniformSky>(round->lamp).up == sky.up,
+    "a sky all round");
+}
+
+/// Expects that the data are refused with these words.
+void Expect(vtkPolyData* data, const std::string& words, Checks& check)
+{
+  std::string error = "nothing refused";
+  try
+  {
+    ReadLuminaire(data);
+  }
+  catch (const InputError& refusal)
+  {
+    error = refusal.what();
+  }
+  check(error.find(words) != std::string::npos, "expected '" + words + "', not '" + error + "'");
+}
+
+void SetNumbers(vtkPolyData* data, const char* name, const std::vector<double>& numbers)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  for (const double number : numbers)
+  {
+    array->InsertNextValue(number);
+  }
+  data->GetFieldData()->AddArray(array);
+}
+
+void SetText(vtkPolyData* data, const char* name, const char* text)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  array->InsertNextValue(text);
+  data->GetFieldData()->AddArray(array);
+}
+
+void CheckFieldErrors(Checks& check)
+{
+  auto disk = Carrier({ DiskLamp(), "" });
+  SetText(disk, "LuminousFlux", "much");
+  Expect(disk, "field array 'LuminousFlux' is a vtkStringArray, not numbers", check);
+  disk->GetFieldData()->RemoveArray("LuminousFlux");
+  Expect(disk, "field array 'LuminousFlux' is missing", check);
+  SetNumbers(disk, "LuminousFlux", { std::nan("") });
+  Expect(disk, "field array 'LuminousFlux' has the value nan", check);
+  SetNumbers(disk, "LuminousFlux", { 1.0 });
+  SetNumbers(disk, "LuminairePosition", { 1.0, 2.0 });
+  Expect(disk, "field array 'LuminairePosition' has 2 values; 3 are wanted", check);
+  SetNumbers(disk, "LuminairePosition", { 1.0, 2.0, 3.0 });
+  check(ReadLuminaire(disk).has_value(), "three numbers of one component are a position too");
+  SetNumbers(disk, "LuminaireColour", { 0.0, 0.0, 0.0 });
+  Expect(disk, "field array 'LuminaireColour' is (0, 0, 0)", check);
+  SetNumbers(disk, "LuminaireName", { 1.0 });
+  Expect(disk, "field array 'LuminaireName' is not one text", check);
+  SetText(disk, "LuminaireType", "Candle");
+  Expect(disk, "'LuminaireType' is 'Candle'; known types are Parallel, Point,", check);
+
+  auto rectangle = Carrier({ RectangleLamp(), "" });
+  SetNumbers(rectangle, "LuminaireSize", { 1.0 });
+  Expect(rectangle, "field array 'LuminaireSize' has 1 values; 2 are wanted", check);
+  auto sky = Carrier({ CieSky(), "" });
+  SetNumbers(sky, "SkyType", { 1.5 });
+  Expect(sky, "field array 'SkyType' is 1.5", check);
+}
+
+void CheckSolidErrors(Checks& check)
+{
+  auto data = Carrier({ SolidOfTypeB(), "" });
+  SetText(data, "PhotometricType", "D");
+  Expect(data, "field array 'PhotometricType' is 'D'", check);
+  SetText(data, "PhotometricType", "C");
+  SetNumbers(data, "PhotometricCandela", { 1.0, 2.0, 3.0, 4.0, 5.0 });
+  Expect(data, "field array 'PhotometricCandela' has 5 values; 6 are wanted", check);
+  SetNumbers(data, "PhotometricCandela", { 1.0, 2.0, 3.0, 4.0, 5.0, -6.0 });
+  Expect(data, "field array 'PhotometricCandela' has values below 0", check);
+  SetNumbers(data, "PhotometricPolar", { 0.0, 90.0, 90.0 });
+  Expect(data, "field array 'PhotometricPolar' does not hold two or more rising angles", check);
+  SetNumbers(data, "PhotometricPolar", { 0.0, 90.0, 190.0 });
+  Expect(data, "field array 'PhotometricPolar' leaves [0, 180]", check);
+  SetNumbers(data, "PhotometricPolar", { 0.0, 90.0, 180.0 });
+  SetNumbers(data, "PhotometricAzimuth", { 0.0, 361.0 });
+  Expect(data, "field array 'PhotometricAzimuth' covers more than 360", check);
+}
+
+/// A square of area 4 that faces +z and a triangle strip of area 4 to its right, which faces +z
+/// too.
+vtkSmartPointer<vtkPolyData> Panels(int components)
+{
+  vtkNew<vtkPoints> points;
+  for (const double x : { 0.0, 2.0, 4.0 })
+  {
+    points->InsertNextPoint(x, 0.0, 0.0);
+    points->InsertNextPoint(x, 2.0, 0.0);
+  }
+  vtkNew<vtkCellArray> polys;
+  const vtkIdType square[4] = { 0, 2, 3, 1 };
+  polys->InsertNextCell(4, square);
+  vtkNew<vtkCellArray> strips;
+  const vtkIdType strip[4] = { 2, 4, 3, 5 };
+  strips->InsertNextCell(4, strip);
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(polys);
+  data->SetStrips(strips);
+  vtkNew<vtkFloatArray> exitance;
+  exitance->SetName("Exitance");
+  exitance->SetNumberOfComponents(components);
+  exitance->SetNumberOfTuples(2);
+  exitance->Fill(100.0);
+  data->GetCellData()->AddArray(exitance);
+  return data;
+}
+
+glm::dvec3 Normal(const EmittingMesh& mesh, std::size_t facet)
+{
+  const glm::uvec3 f = mesh.facets[facet];
+  return glm::cross(mesh.points[f.y] - mesh.points[f.x], mesh.points[f.z] - mesh.points[f.x]);
+}
+
+void CheckMesh(const Luminaire& luminaire, double z, float first, float second, Checks& check)
+{
+  const auto* mesh = std::get_if<EmittingMesh>(&luminaire.lamp);
+  check(mesh && mesh->facets.size() == 4, "two triangles of the square and two of the strip");
+  for (std::size_t f = 0; mesh && f < mesh->facets.size(); ++f)
+  {
+    check(Normal(*mesh, f) == glm::dvec3(0.0, 0.0, z * 4.0), "facets face their light");
+    check(mesh->exitance[f] == (f < 2 ? first : second), "each facet has its cell's exitance");
+  }
+}
+
+void CheckEmittingSurface(Checks& check)
+{
+  vtkNew<vtkPlaneSource> dark;
+  dark->Update();
+  check(!ReadLuminaire(dark->GetOutput()), "a surface without Exitance is no luminaire");
+
+  auto panels = Panels(1);
+  panels->GetCellData()->GetArray("Exitance")->SetComponent(1, 0, 30.0);
+  auto grey = ReadLuminaire(panels);
+  CheckMesh(*grey, 1.0, 100.0f, 30.0f, check);
+  check(grey->colour == Colour(1.0f), "one component is white");
+
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(6);
+  normals->Fill(0.0);
+  normals->FillComponent(2, -5.0);
+  panels->GetPointData()->SetNormals(normals);
+  CheckMesh(*ReadLuminaire(panels), -1.0, 100.0f, 30.0f, check);
+
+  auto coloured = Panels(3);
+  vtkDataArray* exitance = coloured->GetCellData()->GetArray("Exitance");
+  exitance->SetTuple3(0, 100.0, 0.0, 0.0);
+  exitance->SetTuple3(1, 0.0, 0.0, 50.0);
+  const auto mixed = ReadLuminaire(coloured);
+  CheckMesh(*mixed, 1.0, Luminous({ 100.0f, 0.0f, 0.0f }), Luminous({ 0.0f, 0.0f, 50.0f }), check);
+  check(mixed->colour == Colour(1.0f, 0.0f, 0.5f), "the colour of all its light together");
+}
+
+void CheckSurfaceErrors(Checks& check)
+{
+  auto panels = Panels(1);
+  vtkDataArray* exitance = panels->GetCellData()->GetArray("Exitance");
+  exitance->SetTuple1(1, -2.0);
+  Expect(panels, "cell 1: exitance -2 in array 'Exitance'", check);
+  exitance->SetTuple1(1, std::nan(""));
+  Expect(panels, "cell 1: exitance nan", check);
+  exitance->SetTuple1(1, 2.0);
+  panels->GetPoints()->SetPoint(4, 0.0, HUGE_VAL, 0.0);
+  Expect(panels, "point 4: its coordinates are not finite", check);
+  exitance->SetNumberOfTuples(1);
+  Expect(panels, "cell array 'Exitance' has 1 values for 2 cells", check);
+  Expect(Panels(2), "cell array 'Exitance' has 2 components", check);
+
+  auto empty = Panels(1);
+  empty->SetPolys(nullptr);
+  empty->SetStrips(nullptr);
+  empty->GetCellData()->GetArray("Exitance")->SetNumberOfTuples(0);
+  Expect(empty, "no polygons or triangle strips", check);
+}
+
+} // namespace
+
+int TestLuminaireFields(int, char*[])
+{
+  Checks check;
+  CheckSolid(check);
+  CheckFieldErrors(check);
+  CheckSolidErrors(check);
+  CheckEmittingSurface(check);
+  CheckSurfaceErrors(check);
+  return check.Failures();
+}
