@@ -266,8 +266,9 @@ TEST(PhotometricFile, GivesAValidSolidOrTheErrorForAnyBytes)
   std::mt19937 random(4);
   int read = 0;
   int refused = 0;
-  for (const char* name : { "asymmetric_c.ies", "asymmetric_b.ies", "isotropic.ies",
-         "lambertian.ies", "tilt_included.ies", "tilt_file.ies", "isotropic.ldt", "lateral.ldt" })
+  for (const char* name :
+    { "asymmetric_c.ies", "asymmetric_b.ies", "isotropic.ies", "lambertian.ies",
+      "tilt_included.ies", "tilt_file.ies", "spots.ies", "isotropic.ldt", "lateral.ldt" })
   {
     const std::string good = Contents(name);
     const bool isIes = std::string(name).find(".ies") != std::string::npos;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LuminaireGeometry.h"
 
+#include "PhotometricSurface.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkArrowSource.h"
 #include "vtkCellArray.h"
@@ -21,7 +23,6 @@
 #include <algorithm>
 #include <cmath>
 #include <variant>
-#include <vector>
 
 namespace
 {
@@ -194,69 +195,20 @@ public:
     return Dome(sky.up, sky.wholeSphere, this->Glyph);
   }
   Result operator()(const CieSky& sky) const { return Dome(sky.up, false, this->Glyph); }
-  Result operator()(const PhotometricLamp& lamp) const;
+  Result operator()(const PhotometricLamp& lamp) const
+  {
+    vtkNew<vtkPolyData> solid;
+    DrawPhotometricSolid(lamp.solid, 1.0, solid);
+    vtkNew<vtkTrivialProducer> producer;
+    producer->SetOutput(solid);
+    return Placed(producer, this->Glyph.size, lamp.position, lamp.direction, lamp.rotation);
+  }
   Result operator()(const EmittingFacets&) const { return Result::New(); }
   Result operator()(const EmittingMesh&) const { return Result::New(); }
 
 private:
   LuminaireGlyph Glyph;
 };
-
-/// The angles and others between them: a solid of revolution has two azimuths only.
-std::vector<double> Refined(const std::vector<double>& angles)
-{
-  constexpr double widest = 360.0 / Sides;
-  std::vector<double> refined{ angles.front() };
-  for (std::size_t i = 1; i < angles.size(); ++i)
-  {
-    const double gap = angles[i] - angles[i - 1];
-    const double steps = std::ceil(gap / widest);
-    for (double step = 1.0; step < steps; ++step)
-    {
-      refined.push_back(angles[i - 1] + gap * step / steps);
-    }
-    refined.push_back(angles[i]);
-  }
-  return refined;
-}
-
-/// Quadrilaterals between neighbouring angles, as far from the lamp as the intensity there.
-vtkSmartPointer<vtkPolyData> PolarDiagram(const PhotometricSolid& solid)
-{
-  const double largest = *std::max_element(solid.candela.begin(), solid.candela.end());
-  const std::vector<double> polars = Refined(solid.polar);
-  const std::vector<double> azimuths = Refined(solid.azimuth);
-  const auto row = static_cast<vtkIdType>(polars.size());
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
-  for (std::size_t z = 0; z < azimuths.size(); ++z)
-  {
-    for (std::size_t p = 0; p < polars.size(); ++p)
-    {
-      const double radius =
-        largest > 0.0 ? Intensity(solid, polars[p], azimuths[z]) / largest : 0.0;
-      const glm::dvec3 point = radius * PhotometricDirection(solid.type, polars[p], azimuths[z]);
-      const vtkIdType id = points->InsertNextPoint(point.x, point.y, point.z);
-      if (z > 0 && p > 0)
-      {
-        const vtkIdType corners[4] = { id - row - 1, id - row, id, id - 1 };
-        cells->InsertNextCell(4, corners);
-      }
-    }
-  }
-  auto diagram = vtkSmartPointer<vtkPolyData>::New();
-  diagram->SetPoints(points);
-  diagram->SetPolys(cells);
-  return diagram;
-}
-
-vtkSmartPointer<vtkPolyData> Geometry::operator()(const PhotometricLamp& lamp) const
-{
-  vtkNew<vtkTrivialProducer> diagram;
-  diagram->SetOutput(PolarDiagram(lamp.solid));
-  return Placed(diagram, this->Glyph.size, lamp.position, lamp.direction, lamp.rotation);
-}
 
 } // namespace
 
