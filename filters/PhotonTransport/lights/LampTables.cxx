@@ -40,7 +40,7 @@ bool Rises(const std::vector<double>& angles, double least, double most)
 
 std::shared_ptr<const DirectionTable> TableOf(const PhotometricSolid& solid)
 {
-  if (!Rises(solid.polar, 0.0, 180.0) || !Rises(solid.azimuth, -360.0, 360.0) ||
+  if (!Rises(solid.polar, 0.0, 180.0) || !Rises(solid.azimuth, -720.0, 720.0) ||
     solid.azimuth.back() - solid.azimuth.front() > 360.0)
   {
     RefuseLamp("the angles of a photometric solid must rise, within 180 and 360 degrees");
