@@ -27,7 +27,9 @@ struct DescribeLamp
     out << "Lambertian " << l.position << ' ' << l.direction << ' ' << l.flux;
   }
   template <typename AnyLamp>
-  void operator()(const AnyLamp&) const {}
+  void operator()(const AnyLamp&) const
+  {
+  }
   void operator()(const SpotLamp& l) const
   {
     out << "spot " << l.position << ' ' << l.direction << ' ' << l.halfAngle << " rad, exponent "
