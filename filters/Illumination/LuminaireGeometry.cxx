@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LuminaireGeometry.h"
 
+#include "FieldArrays.h"
 #include "PhotometricSurface.h"
+
+#include "PhotonTransport/lights/CieSkyLuminance.h"
+#include "PhotonTransport/lights/LampTables.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkArrowSource.h"
@@ -10,6 +14,7 @@
 #include "vtkLineSource.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRegularPolygonSource.h"
@@ -23,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <variant>
+#include <vector>
 
 namespace
 {
@@ -100,6 +106,29 @@ vtkSmartPointer<vtkPolyData> Dome(const glm::dvec3& up, bool whole, const Lumina
   dome->SetEndPhi(whole ? 180.0 : 90.0);
   dome->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   return Placed(dome, glyph.size, glyph.position, -up);
+}
+
+/// The sky's luminance, cd/m^2, at each point of its dome.
+void AddLuminance(vtkPolyData* dome, const CieSky& sky, const glm::dvec3& centre)
+{
+  const double sunZenithAngle = SunZenithAngle(sky);
+  const double zenith = ZenithLuminance(sky, SkyTable(sky.type, sunZenithAngle));
+  const glm::dvec3 up = Unit(sky.up);
+  const glm::dvec3 sun = Unit(sky.sun);
+  std::vector<double> luminance;
+  for (vtkIdType p = 0; p < dome->GetNumberOfPoints(); ++p)
+  {
+    glm::dvec3 point;
+    dome->GetPoint(p, &point.x);
+    const glm::dvec3 direction = Unit(point - centre);
+    const auto angleTo = [&](const glm::dvec3& other)
+    { return std::acos(std::clamp(glm::dot(direction, other), -1.0, 1.0)); };
+    const double zenithAngle = std::min(angleTo(up), vtkMath::Pi() / 2.0);
+    luminance.push_back(
+      zenith * RelativeSkyLuminance(sky.type, zenithAngle, sunZenithAngle, angleTo(sun)));
+  }
+  AddArray(dome->GetPointData(), "Luminance", luminance);
+  dome->GetPointData()->SetActiveScalars("Luminance");
 }
 
 class Geometry
@@ -194,7 +223,12 @@ public:
   {
     return Dome(sky.up, sky.wholeSphere, this->Glyph);
   }
-  Result operator()(const CieSky& sky) const { return Dome(sky.up, false, this->Glyph); }
+  Result operator()(const CieSky& sky) const
+  {
+    auto dome = Dome(sky.up, false, this->Glyph);
+    AddLuminance(dome, sky, this->Glyph.position);
+    return dome;
+  }
   Result operator()(const PhotometricLamp& lamp) const
   {
     vtkNew<vtkPolyData> solid;

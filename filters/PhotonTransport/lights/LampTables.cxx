@@ -85,6 +85,25 @@ DirectionTable SkyTable(int type, double sunZenithAngle)
   return { std::move(polar), std::move(azimuth), std::move(luminance) };
 }
 
+double ZenithLuminance(const CieSky& sky, const DirectionTable& table)
+{
+  return CheckedAmount(sky.horizontalIlluminance, "horizontal illuminance") /
+    table.CosineIntegral();
+}
+
+double SunZenithAngle(const CieSky& sky)
+{
+  const glm::dvec3 up = CheckedDirection(sky.up, "direction upwards");
+  const glm::dvec3 sun = CheckedDirection(sky.sun, "direction to the sun");
+  const double angle = std::acos(std::clamp(glm::dot(up, sun), -1.0, 1.0));
+  if (!(angle < 0.5 * Pi))
+  {
+    RefuseLamp("the sun of a sky is " + Text(angle * 180.0 / Pi) +
+      " degrees from the zenith; it must be above the horizon, less than 90");
+  }
+  return angle;
+}
+
 LampAxes AxesOf(const glm::dvec3& aim, double rotation)
 {
   // The lamp turned about its aim while it still looks down, where x, y and -z are its axes ...
