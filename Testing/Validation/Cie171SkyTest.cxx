@@ -53,7 +53,7 @@ std::vector<Quantity> OfTheFloor(const Surface& room, const Opening& opening,
   }
   const std::function<double(double, double)> moments[] = { [](double, double) { return 1.0; },
     [](double x, double) { return 1.0 + x / Half; },
-    [](double, double y) { return 1.0 + y / Half; } };
+    [](double, double y) { return 1.0 - y / Half; } };
   std::vector<Quantity> quantities;
   for (const auto& g : moments)
   {
