@@ -226,6 +226,10 @@ PreparedEmitter Prepare(const EmittingMesh& lamp, const Scene& scene)
 
 PreparedEmitter Prepare(const PhotometricLamp& lamp, const Scene& scene)
 {
+  if (!std::isfinite(lamp.rotation))
+  {
+    RefuseLamp("lamp rotation " + Text(lamp.rotation) + " is not finite");
+  }
   const auto table = TableOf(lamp.solid);
   const LampAxes axes = AxesOf(CheckedDirection(lamp.direction), lamp.rotation);
   const glm::dvec3 position = CheckedPosition(lamp.position, scene);
