@@ -6,10 +6,10 @@
 /// A whole run to a number of photons, for tests.
 struct TracedMap
 {
-  TracedMap(const PhotonTransport::Scene& scene, const PhotonTransport::Lamp& lamp,
+  TracedMap(const PhotonTransport::Scene& scene, const PhotonTransport::Lighting& lighting,
     const PhotonTransport::TraceSettings& settings, std::uint64_t photons)
   {
-    PhotonTransport::IlluminationRun run(scene, lamp, settings);
+    PhotonTransport::IlluminationRun run(scene, lighting, settings);
     run.Advance({ photons });
     this->front = run.Front();
     this->back = settings.registerBackSide ? run.Back() : PhotonTransport::IlluminationMap();
