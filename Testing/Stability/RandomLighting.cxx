@@ -61,7 +61,7 @@ EmittingMesh DrawMesh(const Surface& surface, const Site& site)
   EmittingMesh mesh;
   const int points = 3 + Below(4);
   const glm::dvec3 origin = LampPlace(surface, site);
-  const double size = site.size * OneOf({ 1.0, 1e-3, 1e3, 1e-50 });
+  const double size = site.size * (OneIn(16) ? 1e-50 : OneOf({ 1.0, 1e-3, 1e3 }));
   for (int p = 0; p < points; ++p)
   {
     mesh.points.push_back(origin + size * Place());
@@ -69,7 +69,8 @@ EmittingMesh DrawMesh(const Surface& surface, const Site& site)
   const int facets = 1 + Below(6);
   for (int f = 0; f < facets; ++f)
   {
-    mesh.facets.emplace_back(Below(points), Below(points), Below(points));
+    const int a = Below(points);
+    mesh.facets.emplace_back(a, (a + 1) % points, OneIn(8) ? a : (a + 2) % points);
     mesh.exitance.push_back(OneOf({ 100.0f, 1e-12f, 1e12f, 0.0f }));
   }
   return mesh;
