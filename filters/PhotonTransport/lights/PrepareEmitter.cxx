@@ -209,7 +209,7 @@ PreparedEmitter Prepare(const EmittingMesh& lamp, const Scene& scene)
     const double flux = CheckedAmount(lamp.exitance[f], "exitance") * glm::length(area);
     if (flux > 0.0)
     {
-      const glm::dvec3 normal = glm::normalize(area);
+      const glm::dvec3 normal = CheckedDirection(area); // whose square may be too small a number
       emitter.triangles.push_back(
         { corners[0] + double{ OriginOffset } * normal, u, v, glm::vec3(normal) });
       fluxes.push_back(flux);
