@@ -261,7 +261,6 @@ TEST(Effects, SayWhatIsOnAndWhy)
   ASSERT_GT(effects.reasons.size(), 3u);
   EXPECT_EQ(effects.reasons[0], "compensation: off, flat registration was chosen");
   EXPECT_EQ(effects.reasons[1].rfind("interreflection: on, ", 0), 0u);
-  EXPECT_EQ(
-    effects.reasons[2], "specular reflection: off, no triangle has specular reflectance");
+  EXPECT_EQ(effects.reasons[2], "specular reflection: off, no triangle has specular reflectance");
   EXPECT_EQ(effects.reasons.back(), "back side: off, its registration was not asked for");
 }

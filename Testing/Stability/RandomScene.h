@@ -9,11 +9,11 @@
 #include <iosfwd>
 #include <string>
 
-/// A scene such as nobody would draw: any points, any facets, any normals, any lamp.
+/// A scene such as nobody would draw: any points, any facets, any materials, any lamps.
 struct RandomScene
 {
   PhotonTransport::Surface surface;
-  PhotonTransport::Lamp lamp;
+  PhotonTransport::Lighting lighting;
   PhotonTransport::TraceSettings settings;
   std::uint64_t photons = 0;
   /// The value that makes no sense and has to be refused; empty if there is none.

@@ -14,6 +14,24 @@ std::ostream& operator<<(std::ostream& out, const glm::dvec3& v)
   return out << '(' << v.x << ", " << v.y << ", " << v.z << ')';
 }
 
+std::ostream& operator<<(std::ostream& out, const std::vector<double>& values)
+{
+  for (const double value : values)
+  {
+    out << ' ' << value;
+  }
+  return out;
+}
+
+void Describe(std::ostream& out, const Material& m)
+{
+  out << "diffuse " << glm::dvec3(m.diffuseReflectance) << " specular "
+      << glm::dvec3(m.specularReflectance) << " glossy " << glm::dvec3(m.glossyReflectance)
+      << " through " << glm::dvec3(m.diffuseTransmittance) << " clear "
+      << glm::dvec3(m.clearTransmittance) << " roughness " << m.roughness << " index "
+      << m.refractiveIndex << (m.solid ? " solid" : " pane");
+}
+
 struct DescribeLamp
 {
   std::ostream& out;
@@ -25,10 +43,6 @@ struct DescribeLamp
   void operator()(const LambertianPointLamp& l) const
   {
     out << "Lambertian " << l.position << ' ' << l.direction << ' ' << l.flux;
-  }
-  template <typename AnyLamp>
-  void operator()(const AnyLamp&) const
-  {
   }
   void operator()(const SpotLamp& l) const
   {
@@ -48,6 +62,37 @@ struct DescribeLamp
   void operator()(const UniformSky& l) const
   {
     out << "sky " << l.up << ' ' << l.luminance << (l.wholeSphere ? " whole" : " half");
+  }
+  void operator()(const CieSky& l) const
+  {
+    out << "CIE sky " << l.type << ' ' << l.up << " sun " << l.sun << ' ' << l.horizontalIlluminance
+        << " lx";
+  }
+  void operator()(const SphereLamp& l) const
+  {
+    out << "sphere " << l.centre << ' ' << l.radius << ' ' << l.flux;
+  }
+  void operator()(const LineLamp& l) const
+  {
+    out << "line " << l.centre << ' ' << l.axis << ' ' << l.length << ' ' << l.flux;
+  }
+  void operator()(const PhotometricLamp& l) const
+  {
+    out << "photometric " << l.position << ' ' << l.direction << " turned " << l.rotation
+        << " times " << l.scale << " type " << static_cast<int>(l.solid.type) << ", polar"
+        << l.solid.polar << ", azimuth" << l.solid.azimuth << ", candela" << l.solid.candela;
+  }
+  void operator()(const EmittingMesh& l) const
+  {
+    out << "mesh of";
+    for (const glm::dvec3& point : l.points)
+    {
+      out << ' ' << point;
+    }
+    for (std::size_t f = 0; f < l.facets.size() && f < l.exitance.size(); ++f)
+    {
+      out << "; " << glm::dvec3(l.facets[f]) << " exitance " << l.exitance[f];
+    }
   }
 };
 
@@ -70,17 +115,35 @@ std::ostream& operator<<(std::ostream& out, const RandomScene& scene)
     const glm::uvec3& ids = surface.facets[f];
     out << "\n  facet " << ids.x << ' ' << ids.y << ' ' << ids.z << " reflectance "
         << surface.reflectance[f];
+    if (f < surface.materialOfFacet.size())
+    {
+      out << " material " << surface.materialOfFacet[f];
+    }
     if (!surface.exitance.empty())
     {
       out << " exitance " << surface.exitance[f];
     }
+    if (!surface.exitanceColour.empty())
+    {
+      out << " of colour " << glm::dvec3(surface.exitanceColour[f]);
+    }
+  }
+  for (const Material& material : surface.materials)
+  {
+    out << "\n  material ";
+    Describe(out, material);
+  }
+  out << "\n  " << surface.metresPerUnit << " m per unit";
+  for (const Luminaire& luminaire : scene.lighting.luminaires)
+  {
+    out << "\n  lamp '" << luminaire.name << "' of colour " << glm::dvec3(luminaire.colour) << ": ";
+    std::visit(DescribeLamp{ out }, luminaire.lamp);
   }
   const TraceSettings& s = scene.settings;
-  out << "\n  " << surface.metresPerUnit << " m per unit\n  lamp: ";
-  std::visit(DescribeLamp{ out }, scene.lamp);
   return out << "\n  seed " << s.seed << ", sampling " << static_cast<int>(s.sampling)
              << ", registration " << static_cast<int>(s.registration) << ", scatterings "
-             << s.scatterings << ", back " << s.registerBackSide << ", bound " << s.weightBound
-             << ", longest path " << s.maximumPathLength << ", threads " << s.threads
+             << s.scatterings << ", colour " << s.colour << ", lamps apart " << s.lampsApart
+             << ", back " << s.registerBackSide << ", bound " << s.weightBound << ", longest path "
+             << s.maximumPathLength << ", threads " << s.threads
              << "\n  mistake: " << (scene.mistake.empty() ? "none" : scene.mistake);
 }

@@ -40,8 +40,9 @@ bool Rises(const std::vector<double>& angles, double least, double most)
 
 std::shared_ptr<const DirectionTable> TableOf(const PhotometricSolid& solid)
 {
-  if (!Rises(solid.polar, 0.0, 180.0) || !Rises(solid.azimuth, -720.0, 720.0) ||
-    solid.azimuth.back() - solid.azimuth.front() > 360.0)
+  constexpr double Turn = 360.0 * (1.0 + 1e-12); // both ends of a full circle are rounded
+  if (!Rises(solid.polar, 0.0, 180.0) || !Rises(solid.azimuth, -2.0 * Turn, 2.0 * Turn) ||
+    solid.azimuth.back() - solid.azimuth.front() > Turn)
   {
     RefuseLamp("the angles of a photometric solid must rise, within 180 and 360 degrees");
   }

@@ -209,7 +209,7 @@ PreparedEmitter Prepare(const EmittingMesh& lamp, const Scene& scene)
     const double flux = CheckedAmount(lamp.exitance[f], "exitance") * glm::length(area);
     if (flux > 0.0)
     {
-      const glm::dvec3 normal = glm::normalize(area);
+      const glm::dvec3 normal = CheckedDirection(area); // whose square may be too small a number
       emitter.triangles.push_back(
         { corners[0] + double{ OriginOffset } * normal, u, v, glm::vec3(normal) });
       fluxes.push_back(flux);
@@ -226,6 +226,10 @@ PreparedEmitter Prepare(const EmittingMesh& lamp, const Scene& scene)
 
 PreparedEmitter Prepare(const PhotometricLamp& lamp, const Scene& scene)
 {
+  if (!std::isfinite(lamp.rotation))
+  {
+    RefuseLamp("lamp rotation " + Text(lamp.rotation) + " is not finite");
+  }
   const auto table = TableOf(lamp.solid);
   const LampAxes axes = AxesOf(CheckedDirection(lamp.direction), lamp.rotation);
   const glm::dvec3 position = CheckedPosition(lamp.position, scene);

@@ -29,8 +29,9 @@ struct FresnelReflectances
   /// relative to the side it comes from, > 0.
   FresnelReflectances(float cosIn, float index)
   {
-    const float sinIn2 = std::max(0.0f, (1.0f - cosIn) * (1.0f + cosIn));
-    const float cosine2 = 1.0f - sinIn2 / (index * index); // Snell's law
+    // Snell's law as 1 - sin^2/n^2 would leave few digits at grazing incidence: an index of 1 would
+    // reflect. So multiplied out.
+    const float cosine2 = (cosIn * cosIn + (index - 1.0f) * (index + 1.0f)) / (index * index);
     if (!(cosine2 > 0.0f))
     {
       this->perpendicular = this->parallel = 1.0f;

@@ -83,7 +83,8 @@ inline Departure PassClear(const Roulette& material, float internal, float u,
   if (!material.solid)
   {
     const ReflectedAndTransmitted share = ThinPane(cosIn, material.refractiveIndex, internal);
-    departure.absorbed = !(u < share.reflected + share.transmitted);
+    // A sum that rounds below 1 must not absorb where nothing does.
+    departure.absorbed = internal < 1.0f && !(u < share.reflected + share.transmitted);
     departure.how = Scattering::ClearTransmission;
     departure.sameSide = u < share.reflected;
     departure.undeflected = !departure.sameSide;
@@ -133,9 +134,9 @@ Departure Scatter(const Roulette& material, std::uint32_t channel, const Scatter
       const GlossyDirection lobe =
         ReflectGlossily(-direction, normal, material.alpha, sample.u, sample.v);
       // Where in its share the number lies is as good as another number.
-      const auto place = static_cast<float>(bits - shares.specular) /
-        static_cast<float>(shares.glossy - shares.specular);
-      departure.absorbed = !(place < lobe.probability);
+      const auto place = static_cast<double>(bits - shares.specular) /
+        static_cast<double>(shares.glossy - shares.specular);
+      departure.absorbed = !(place < double{ lobe.probability });
       departure.how = Scattering::GlossyReflection;
       departure.direction = lobe.direction;
       return departure;

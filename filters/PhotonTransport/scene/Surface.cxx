@@ -185,6 +185,14 @@ void Validate(const Surface& surface)
     ValidateMaterial(surface, f, problems);
     ValidateExitance(surface, f);
   }
+  // Triangles' materials have been named by now.
+  for (std::size_t m = 0; m < problems.size(); ++m)
+  {
+    if (!problems[m].empty())
+    {
+      Refuse(Where::Surface, 0, "material ", m, ", which no triangle has: ", problems[m]);
+    }
+  }
 }
 
 } // namespace PhotonTransport

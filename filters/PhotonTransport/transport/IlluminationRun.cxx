@@ -224,7 +224,8 @@ double IlluminationRun::LuxOfLayer(std::size_t vertex, std::size_t layer) const
   const auto emitted = static_cast<double>(this->Balance().emitted);
   const double area = this->Surroundings.VertexAreas()[vertex];
   const FixedPoint sum = this->Layers.sums[vertex * this->Layers.perVertex + layer];
-  return emitted > 0.0 && area > 0.0 ? this->Flux() / emitted * FromFixedPoint(sum) / area : 0.0;
+  // As ReplicateSums::Map multiplies: the flux of one weight may be too small for a normal number.
+  return emitted > 0.0 && area > 0.0 ? this->Flux() / area * FromFixedPoint(sum) / emitted : 0.0;
 }
 
 std::vector<std::array<double, 3>> IlluminationRun::FrontByColour() const
