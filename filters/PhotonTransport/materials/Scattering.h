@@ -97,7 +97,7 @@ inline Departure PassClear(const Roulette& material, float internal, float u,
   const float reflected = fresnel.Mean();
   departure.how = Scattering::Refraction;
   departure.sameSide = u < reflected;
-  departure.absorbed = !(u < reflected + (1.0f - reflected) * internal);
+  departure.absorbed = internal < 1.0f && !(u < reflected + (1.0f - reflected) * internal);
   departure.direction = departure.sameSide
     ? glm::normalize(direction + 2.0f * cosIn * normal)
     : Refract(direction, normal, cosIn, index, std::max(fresnel.cosine, 1e-6f));
