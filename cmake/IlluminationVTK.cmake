@@ -3,7 +3,8 @@
 include(IlluminationFindVTK)
 
 set(illumination_vtk_components
-  CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral FiltersSources IOXML TestingCore)
+  CommonCore CommonDataModel CommonExecutionModel CommonTransforms FiltersCore FiltersGeneral
+  FiltersSources IOXML TestingCore)
 if (ILLUMINATION_WRAP_PYTHON)
   list(APPEND illumination_vtk_components Python WrappingPythonCore)
 endif ()

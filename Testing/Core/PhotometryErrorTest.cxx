@@ -218,6 +218,9 @@ TEST(PhotometricFileError, NamesLineAndValueOfEulumdat)
   expect(43, "10", "C-angle 1 of 4 is not 0, as symmetry 2 wants", 46);
   expect(44, "190", "C-angle 3 is '180'; angles must rise", 45);
   expect(45, "170", "C-angle 3 of 4 is not 180, as symmetry 2 wants", 46);
+  std::vector<std::string> gap = good;
+  gap[2] = "0";
+  ExpectError(ReadEulumdatText, gap, 46, "181", "C-angle 4 is '181'; the last must be one step");
   expect(48, "180", "gamma angle 3 is '180'; angles must rise", 49);
   expect(50, "1 2", "intensity 1 is '1 2'; it must be a number");
   expect(58, "-9", "intensity 9 is '-9'; it must be within [0, 1e+30]");
@@ -266,8 +269,9 @@ TEST(PhotometricFile, GivesAValidSolidOrTheErrorForAnyBytes)
   std::mt19937 random(4);
   int read = 0;
   int refused = 0;
-  for (const char* name : { "asymmetric_c.ies", "asymmetric_b.ies", "isotropic.ies",
-         "lambertian.ies", "tilt_included.ies", "tilt_file.ies", "isotropic.ldt", "lateral.ldt" })
+  for (const char* name :
+    { "asymmetric_c.ies", "asymmetric_b.ies", "isotropic.ies", "lambertian.ies",
+      "tilt_included.ies", "tilt_file.ies", "spots.ies", "isotropic.ldt", "lateral.ldt" })
   {
     const std::string good = Contents(name);
     const bool isIes = std::string(name).find(".ies") != std::string::npos;

@@ -92,11 +92,11 @@ std::string EulumdatText(int symmetry, const std::vector<double>& planes,
     }
   };
   // EULUMDAT: Mc1 = 3 Mc / 4 + 1, Mc2 = Mc1 + Mc / 2 for symmetry 3.
-  symmetry == 3 ? (write(270.0, 360.0), write(0.0, 90.0))
-                : write(0.0,
-                    symmetry == 0     ? 360.0
-                      : symmetry == 2 ? 180.0
-                                      : 90.0);
+  if (symmetry == 3)
+  {
+    write(270.0, 360.0);
+  }
+  write(0.0, symmetry == 0 ? 360.0 : symmetry == 2 ? 180.0 : 90.0);
   return text.str();
 }
 

@@ -204,7 +204,7 @@ void CheckPhotometric(Checks& check)
   }
   // The diagram reaches from the lamp along its aim as far as the glyph is large. Beside it, it is
   // widest between 45 and 90 degrees, where it is 80 - 60 t high, at (1 + t) 45 degrees; a point of
-  // its grid lies within half a step of 7.5 degrees of there in either angle.
+  // its grid lies within half a step of 3 degrees of there in either angle.
   double widest = 0.0;
   for (double t = 0.0; t <= 1.0; t += 1e-4)
   {
@@ -212,7 +212,7 @@ void CheckPhotometric(Checks& check)
   }
   const double side = 0.75 * widest;
   CheckBounds(source, Position - glm::dvec3(0.0, side, side),
-    Position + glm::dvec3(0.75, side, side), check, side * (1.0 - std::cos(Pi / 24.0)));
+    Position + glm::dvec3(0.75, side, side), check, side * (1.0 - std::cos(Pi / 60.0)));
   std::filesystem::remove(path);
 }
 

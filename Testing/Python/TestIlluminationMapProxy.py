@@ -22,7 +22,22 @@ NOT_DEFAULT = {
     "ExitanceArray": "Grey",
     "Reflectance": 0.25,
     "ReflectanceArray": "Colour",
+    "UseMaterialArrays": (0, False),
+    "SpecularReflectance": 0.1,
+    "GlossyReflectance": 0.15,
+    "Roughness": 0.4,
+    "DiffuseTransmittance": 0.05,
+    "ClearTransmittance": 0.2,
+    "RefractiveIndex": 1.6,
+    "SolidBody": (1, True),
     "Interreflection": (0, False),
+    "SpecularReflection": (0, False),
+    "GlossyReflection": (0, False),
+    "DiffuseTransmission": (0, False),
+    "ClearTransmission": (0, False),
+    "Refraction": (0, False),
+    "Colour": (0, False),
+    "LampContributions": (1, True),
     "RegisterBackSide": (1, True),
     "GroupMeans": (1, True),
     "MetresPerUnit": 0.001,
@@ -84,7 +99,7 @@ def check_changed(proxy):
 
 def test_each_property_is_documented_and_reaches_the_filter():
     proxy = IlluminationMap(Input=surface_with_cell_arrays())
-    assert sorted(NOT_DEFAULT) == sorted(set(proxy.ListProperties()) - {"Input"})
+    assert sorted(NOT_DEFAULT) == sorted(set(proxy.ListProperties()) - {"Input", "Luminaires"})
     for name in NOT_DEFAULT:
         assert len(proxy.GetProperty(name).SMProperty.GetDocumentation().GetDescription()) > 40
         assert getattr(proxy.GetClientSideObject(), "Get" + name)() != filter_value(name), name
@@ -113,6 +128,35 @@ def test_none_means_no_array():
     proxy = IlluminationMap(Input=surface_with_cell_arrays(), Photons=1000)
     proxy.UpdatePipeline()
     assert proxy.PointData.GetArray("Illuminance") is not None
+
+
+def lit_by(*luminaires):
+    """The filter's output for a sphere under some luminaires, each kept apart."""
+    proxy = IlluminationMap(registrationName="by lamps", Input=simple.Sphere(), Photons=20000,
+                            Luminaires=list(luminaires), LampContributions=1)
+    proxy.UpdatePipeline()
+    return proxy, servermanager.Fetch(proxy).GetPointData()
+
+
+def test_luminaires_replace_the_own_lamp_and_survive_a_state():
+    sun = Luminaire(registrationName="Sun", LuminaireName="Sun", Type="Parallel")
+    spot = Luminaire(registrationName="Spot", LuminaireName="Spot", Type="Spot", Position=[0, 0, 2])
+    proxy, both = lit_by(sun, spot)
+    assert both.GetArray("Illuminance_Sun") and both.GetArray("Illuminance_Spot")
+    for point in range(both.GetNumberOfTuples()):
+        parts = [both.GetArray("Illuminance_" + name).GetValue(point) for name in ("Sun", "Spot")]
+        total = both.GetArray("Illuminance").GetValue(point)
+        assert abs(sum(parts) - total) <= 1e-9 * total, (point, parts, total)
+    with tempfile.TemporaryDirectory() as folder:
+        state = os.path.join(folder, "state.pvsm")
+        simple.SaveState(state)
+        simple.ResetSession()
+        simple.LoadState(state)
+    again = simple.FindSource("by lamps")
+    assert len(again.Luminaires) == 2
+    again.Luminaires = []
+    again.UpdatePipeline()
+    assert servermanager.Fetch(again).GetPointData().GetArray("Illuminance_Lamp")
 
 
 def accepted(source):

@@ -50,6 +50,17 @@ Surface Disk(double radius, double z, int around, int along, bool up);
 /// Closed prism of length 1 along z over a triangle with one angle of `degrees`: an acute corner.
 Surface Wedge(double degrees, Facing facing);
 
+/// Edges of a rectangular opening: least, then largest coordinates.
+struct Edges
+{
+  double u0, v0, u1, v1;
+};
+
+/// Room [-side/2, side/2]^2 x [0, height], seen from inside, with an opening in its roof (in x, y)
+/// or in the wall y = side/2 (in x, z). The floor has cells x cells squares.
+Surface OpenRoom(double side, double height, const Edges& opening, int cells);
+Surface RoomWithWindow(double side, double height, const Edges& opening, int cells);
+
 /// A closed room with a fine sphere inside, about `triangles` triangles; the benchmark's scene.
 Surface RoomWithSphere(int triangles);
 

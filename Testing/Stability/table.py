@@ -7,10 +7,12 @@ no result.
 
 import re
 import sys
-import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-BEGIN, END = "<!-- the tests write from here -->", "<!-- to here -->"
+sys.path[:0] = [str(Path(__file__).resolve().parents[1])]
+
+from test_tables import finished_tests, put_table  # noqa: E402
+
 CASES = {
     1: "Grazing light", 2: "Normals", 3: "Triangles", 4: "Scale and place", 5: "Closed shapes",
     6: "Long paths", 7: "Lamps in odd places", 8: "Sums", 9: "Threads and order", 10: "Bad input",
@@ -39,17 +41,14 @@ def words(name):
 def results(folder):
     """(case, test) -> (what it protects against, [what was measured, one text for each way])."""
     found = {}
-    for file in sorted(folder.rglob("*.xml")):
-        for test in ElementTree.parse(file).iter("testcase"):
-            case = case_of(test.get("classname"))
-            if case is None or test.get("status") != "run" or test.find("skipped") is not None:
-                continue
-            said = {p.get("name"): p.get("value") for p in test.iter("property")}
-            name = words(test.get("name").split("/")[0])
-            protects, measured = said.get("protects", ""), said.get("measured", "passes")
-            entry = found.setdefault((case, name), (protects, []))
-            if measured not in entry[1]:
-                entry[1].append(measured)
+    for suite, test, said in finished_tests(folder):
+        case = case_of(suite)
+        if case is None:
+            continue
+        protects, measured = said.get("protects", ""), said.get("measured", "passes")
+        entry = found.setdefault((case, words(test.split("/")[0])), (protects, []))
+        if measured not in entry[1]:
+            entry[1].append(measured)
     return found
 
 
@@ -62,14 +61,7 @@ def main(folder, page):
     lines = ["| case | test | protects against | measured |", "|---|---|---|---|"]
     for (case, name), (protects, measured) in sorted(found.items()):
         lines.append(f"| {case} {CASES[case]} | {name} | {protects} | {'; '.join(sorted(measured))} |")
-    text = page.read_text()
-    before, rest = text.split(BEGIN)
-    after = rest.split(END)[1]
-    table = "\n".join(lines)
-    new = f"{before}{BEGIN}\n\n{table}\n\n{END}{after}"
-    if new != text:
-        page.write_text(new)
-        print(f"{page} has new results")
+    put_table(page, "the tests write", lines)
 
 
 if __name__ == "__main__":

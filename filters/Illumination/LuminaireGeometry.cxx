@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LuminaireGeometry.h"
 
+#include "FieldArrays.h"
+#include "PhotometricSurface.h"
+
+#include "PhotonTransport/lights/CieSkyLuminance.h"
+#include "PhotonTransport/lights/LampTables.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkArrowSource.h"
 #include "vtkCellArray.h"
@@ -8,6 +14,7 @@
 #include "vtkLineSource.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRegularPolygonSource.h"
@@ -99,6 +106,29 @@ vtkSmartPointer<vtkPolyData> Dome(const glm::dvec3& up, bool whole, const Lumina
   dome->SetEndPhi(whole ? 180.0 : 90.0);
   dome->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   return Placed(dome, glyph.size, glyph.position, -up);
+}
+
+/// The sky's luminance, cd/m^2, at each point of its dome.
+void AddLuminance(vtkPolyData* dome, const CieSky& sky, const glm::dvec3& centre)
+{
+  const double sunZenithAngle = SunZenithAngle(sky);
+  const double zenith = ZenithLuminance(sky, SkyTable(sky.type, sunZenithAngle));
+  const glm::dvec3 up = Unit(sky.up);
+  const glm::dvec3 sun = Unit(sky.sun);
+  std::vector<double> luminance;
+  for (vtkIdType p = 0; p < dome->GetNumberOfPoints(); ++p)
+  {
+    glm::dvec3 point;
+    dome->GetPoint(p, &point.x);
+    const glm::dvec3 direction = Unit(point - centre);
+    const auto angleTo = [&](const glm::dvec3& other)
+    { return std::acos(std::clamp(glm::dot(direction, other), -1.0, 1.0)); };
+    const double zenithAngle = std::min(angleTo(up), vtkMath::Pi() / 2.0);
+    luminance.push_back(
+      zenith * RelativeSkyLuminance(sky.type, zenithAngle, sunZenithAngle, angleTo(sun)));
+  }
+  AddArray(dome->GetPointData(), "Luminance", luminance);
+  dome->GetPointData()->SetActiveScalars("Luminance");
 }
 
 class Geometry
@@ -193,70 +223,26 @@ public:
   {
     return Dome(sky.up, sky.wholeSphere, this->Glyph);
   }
-  Result operator()(const CieSky& sky) const { return Dome(sky.up, false, this->Glyph); }
-  Result operator()(const PhotometricLamp& lamp) const;
+  Result operator()(const CieSky& sky) const
+  {
+    auto dome = Dome(sky.up, false, this->Glyph);
+    AddLuminance(dome, sky, this->Glyph.position);
+    return dome;
+  }
+  Result operator()(const PhotometricLamp& lamp) const
+  {
+    vtkNew<vtkPolyData> solid;
+    DrawPhotometricSolid(lamp.solid, 1.0, solid);
+    vtkNew<vtkTrivialProducer> producer;
+    producer->SetOutput(solid);
+    return Placed(producer, this->Glyph.size, lamp.position, lamp.direction, lamp.rotation);
+  }
   Result operator()(const EmittingFacets&) const { return Result::New(); }
   Result operator()(const EmittingMesh&) const { return Result::New(); }
 
 private:
   LuminaireGlyph Glyph;
 };
-
-/// The angles and others between them: a solid of revolution has two azimuths only.
-std::vector<double> Refined(const std::vector<double>& angles)
-{
-  constexpr double widest = 360.0 / Sides;
-  std::vector<double> refined{ angles.front() };
-  for (std::size_t i = 1; i < angles.size(); ++i)
-  {
-    const double gap = angles[i] - angles[i - 1];
-    const double steps = std::ceil(gap / widest);
-    for (double step = 1.0; step < steps; ++step)
-    {
-      refined.push_back(angles[i - 1] + gap * step / steps);
-    }
-    refined.push_back(angles[i]);
-  }
-  return refined;
-}
-
-/// Quadrilaterals between neighbouring angles, as far from the lamp as the intensity there.
-vtkSmartPointer<vtkPolyData> PolarDiagram(const PhotometricSolid& solid)
-{
-  const double largest = *std::max_element(solid.candela.begin(), solid.candela.end());
-  const std::vector<double> polars = Refined(solid.polar);
-  const std::vector<double> azimuths = Refined(solid.azimuth);
-  const auto row = static_cast<vtkIdType>(polars.size());
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
-  for (std::size_t z = 0; z < azimuths.size(); ++z)
-  {
-    for (std::size_t p = 0; p < polars.size(); ++p)
-    {
-      const double radius =
-        largest > 0.0 ? Intensity(solid, polars[p], azimuths[z]) / largest : 0.0;
-      const glm::dvec3 point = radius * PhotometricDirection(solid.type, polars[p], azimuths[z]);
-      const vtkIdType id = points->InsertNextPoint(point.x, point.y, point.z);
-      if (z > 0 && p > 0)
-      {
-        const vtkIdType corners[4] = { id - row - 1, id - row, id, id - 1 };
-        cells->InsertNextCell(4, corners);
-      }
-    }
-  }
-  auto diagram = vtkSmartPointer<vtkPolyData>::New();
-  diagram->SetPoints(points);
-  diagram->SetPolys(cells);
-  return diagram;
-}
-
-vtkSmartPointer<vtkPolyData> Geometry::operator()(const PhotometricLamp& lamp) const
-{
-  vtkNew<vtkTrivialProducer> diagram;
-  diagram->SetOutput(PolarDiagram(lamp.solid));
-  return Placed(diagram, this->Glyph.size, lamp.position, lamp.direction, lamp.rotation);
-}
 
 } // namespace
 

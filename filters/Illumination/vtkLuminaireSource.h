@@ -17,8 +17,9 @@
  *
  * Panels, balls and lines are shown as they are, by their own size; parallel light and a Lambertian
  * point as an arrow, a point as a ball, a spot as an open cone, a sky as a dome, and a photometric
- * file as its polar diagram, by GlyphSize. A property that the type uses and that is out of its
- * range gives one error that names it and its value, and an empty output.
+ * file as its polar diagram with point array LuminousIntensity (cd, before Dimming), by GlyphSize.
+ * A property that the type uses and that is out of its range gives one error that names it and its
+ * value, and an empty output.
  */
 
 #ifndef vtkLuminaireSource_h

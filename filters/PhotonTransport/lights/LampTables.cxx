@@ -41,7 +41,7 @@ bool Rises(const std::vector<double>& angles, double least, double most)
 std::shared_ptr<const DirectionTable> TableOf(const PhotometricSolid& solid)
 {
   constexpr double Turn = 360.0 * (1.0 + 1e-12); // both ends of a full circle are rounded
-  if (!Rises(solid.polar, 0.0, 180.0) || !Rises(solid.azimuth, -360.0, 2.0 * Turn) ||
+  if (!Rises(solid.polar, 0.0, 180.0) || !Rises(solid.azimuth, -2.0 * Turn, 2.0 * Turn) ||
     solid.azimuth.back() - solid.azimuth.front() > Turn)
   {
     RefuseLamp("the angles of a photometric solid must rise, within 180 and 360 degrees");
@@ -84,6 +84,25 @@ DirectionTable SkyTable(int type, double sunZenithAngle)
     }
   }
   return { std::move(polar), std::move(azimuth), std::move(luminance) };
+}
+
+double ZenithLuminance(const CieSky& sky, const DirectionTable& table)
+{
+  return CheckedAmount(sky.horizontalIlluminance, "horizontal illuminance") /
+    table.CosineIntegral();
+}
+
+double SunZenithAngle(const CieSky& sky)
+{
+  const glm::dvec3 up = CheckedDirection(sky.up, "direction upwards");
+  const glm::dvec3 sun = CheckedDirection(sky.sun, "direction to the sun");
+  const double angle = std::acos(std::clamp(glm::dot(up, sun), -1.0, 1.0));
+  if (!(angle < 0.5 * Pi))
+  {
+    RefuseLamp("the sun of a sky is " + Text(angle * 180.0 / Pi) +
+      " degrees from the zenith; it must be above the horizon, less than 90");
+  }
+  return angle;
 }
 
 LampAxes AxesOf(const glm::dvec3& aim, double rotation)

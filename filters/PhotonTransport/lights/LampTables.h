@@ -2,6 +2,7 @@
 #pragma once
 
 #include "PhotonTransport/lights/DirectionTable.h"
+#include "PhotonTransport/lights/Lamp.h"
 #include "PhotonTransport/photometry/PhotometricSolid.h"
 
 #include <glm/vec3.hpp>
@@ -17,6 +18,12 @@ std::shared_ptr<const DirectionTable> TableOf(const PhotometricSolid& solid);
 /// Luminance relative to the zenith's; polar angle from the zenith, azimuth from the sun. Fine
 /// enough that what lies between its angles is off by less than 1e-4 on average.
 DirectionTable SkyTable(int type, double sunZenithAngle);
+
+/// cd/m^2 of a sky's zenith, by its horizontal illuminance. @param table Of the same sky.
+double ZenithLuminance(const CieSky& sky, const DirectionTable& table);
+
+/// Radians between zenith and sun. Throws InvalidInput unless the sun is above the horizon.
+double SunZenithAngle(const CieSky& sky);
 
 /// Where a lamp with an aim has its sides; see PhotometricLamp::direction.
 struct LampAxes

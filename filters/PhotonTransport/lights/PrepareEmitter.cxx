@@ -248,29 +248,21 @@ PreparedEmitter Prepare(const PhotometricLamp& lamp, const Scene& scene)
 
 PreparedEmitter Prepare(const CieSky& sky, const Scene& scene)
 {
-  const glm::dvec3 up = CheckedDirection(sky.up, "direction upwards");
-  const glm::dvec3 sun = CheckedDirection(sky.sun, "direction to the sun");
-  const double sunZenithAngle = std::acos(std::clamp(glm::dot(up, sun), -1.0, 1.0));
   if (sky.type < 1 || sky.type > 16)
   {
     RefuseLamp("sky type " + std::to_string(sky.type) + " is outside 1 to 16");
   }
-  if (!(sunZenithAngle < 0.5 * Pi))
-  {
-    RefuseLamp("the sun of a sky is " + Text(sunZenithAngle * 180.0 / Pi) +
-      " degrees from the zenith; it must be above the horizon, less than 90");
-  }
-  glm::dvec3 towardsSun = sun - glm::dot(sun, up) * up;
-  const Frame any = FrameOf(up);
-  towardsSun =
-    glm::length(towardsSun) > FloatSlack ? glm::normalize(towardsSun) : glm::dvec3(any.tangent);
+  const double sunZenithAngle = SunZenithAngle(sky);
+  const glm::dvec3 up = CheckedDirection(sky.up);
+  const glm::dvec3 sun = CheckedDirection(sky.sun);
+  const glm::dvec3 level = sun - glm::dot(sun, up) * up;
+  const glm::dvec3 towardsSun =
+    glm::length(level) > FloatSlack ? glm::normalize(level) : glm::dvec3(FrameOf(up).tangent);
   const auto table = std::make_shared<const DirectionTable>(SkyTable(sky.type, sunZenithAngle));
   const double radius = BallRadius(scene);
-  const double luminance =
-    CheckedAmount(sky.horizontalIlluminance, "horizontal illuminance") / table->CosineIntegral();
   return { TableSkyEmitter{
              towardsSun, glm::cross(up, towardsSun), up, static_cast<float>(radius), table },
-    luminance * table->Integral() * CrossSection(radius, scene) };
+    ZenithLuminance(sky, *table) * table->Integral() * CrossSection(radius, scene) };
 }
 
 } // namespace

@@ -151,27 +151,21 @@ std::vector<double> ReadAngles(
   return angles;
 }
 
-/// Angles of the planes that are given; those of symmetry 3 run from 270 degrees through 0 to 90.
-std::vector<double> ReadPlanes(TextReader& reader, const Grid& grid)
+/// Planes must be where the symmetry has its mirrors.
+void RequireMirrors(const TextReader& reader, const Grid& grid, const std::vector<double>& all)
 {
-  constexpr const char* name = "C-angle";
-  const std::vector<double> all = ReadAngles(reader, name, grid.planes, 360.0);
   const auto require = [&](std::size_t plane, double angle)
   {
     if (all[plane] != angle)
     {
-      reader.Fail(std::string(name) + " " + std::to_string(plane + 1) + " of " +
-        std::to_string(grid.planes) + " is not " + std::to_string(static_cast<int>(angle)) +
-        ", as symmetry " + std::to_string(grid.symmetry) + " wants");
+      reader.Fail("C-angle " + std::to_string(plane + 1) + " of " + std::to_string(grid.planes) +
+        " is not " + std::to_string(static_cast<int>(angle)) + ", as symmetry " +
+        std::to_string(grid.symmetry) + " wants");
     }
   };
   if (grid.symmetry != 1)
   {
     require(0, 0.0);
-  }
-  if (grid.symmetry == 0 && !GapIsOneStep(all) && grid.planes > 1)
-  {
-    reader.Refuse({ name, grid.planes }, "the last must be one step before 360");
   }
   if (grid.symmetry == 2)
   {
@@ -184,6 +178,18 @@ std::vector<double> ReadPlanes(TextReader& reader, const Grid& grid)
   if (grid.symmetry == 3)
   {
     require(grid.FirstGiven(), 270.0);
+  }
+}
+
+/// Angles of the planes that are given; those of symmetry 3 run from 270 degrees through 0 to 90.
+std::vector<double> ReadPlanes(TextReader& reader, const Grid& grid)
+{
+  constexpr const char* name = "C-angle";
+  const std::vector<double> all = ReadAngles(reader, name, grid.planes, 360.0);
+  RequireMirrors(reader, grid, all);
+  if (grid.symmetry == 0 && grid.planes > 1 && !GapIsOneStep(all))
+  {
+    reader.Refuse({ name, grid.planes }, "the last must be one step before 360");
   }
   std::vector<double> given;
   for (std::size_t i = grid.FirstGiven(); i < grid.FirstGiven() + grid.Given(); ++i)

@@ -67,15 +67,16 @@ double Flux(const PhotometricSolid& solid)
 double Intensity(const PhotometricSolid& solid, double polar, double azimuth)
 {
   const double first = solid.azimuth.front();
-  double turned = std::fmod(azimuth - first, 360.0);
-  turned = first + (turned < 0.0 ? turned + 360.0 : turned);
-  if (!(polar >= solid.polar.front() && polar <= solid.polar.back() &&
-        turned <= solid.azimuth.back()))
+  const double last = solid.azimuth.back();
+  double turn = std::fmod(azimuth - first, 360.0);
+  turn += turn < 0.0 ? 360.0 : 0.0;
+  // The turn, not the angle, is compared: for the last azimuth it has the same rounding.
+  if (!(polar >= solid.polar.front() && polar <= solid.polar.back() && turn <= last - first))
   {
     return 0.0;
   }
   const Place p = Find(solid.polar, polar);
-  const Place z = Find(solid.azimuth, turned);
+  const Place z = Find(solid.azimuth, std::min(first + turn, last));
   const double* plane = &solid.candela[z.before * solid.polar.size() + p.before];
   const double* next = plane + solid.polar.size();
   const double a = plane[0] * (1.0 - p.fraction) + plane[1] * p.fraction;

@@ -156,6 +156,7 @@ private:
   {
     const Facet& facet = this->Surroundings.Facets()[hit.facet];
     const glm::vec3 weights = HitWeights<Kind>(this->Surroundings, facet, hit.barycentric, towards);
+    FixedPoint rounded[3];
     for (int corner = 0; corner < 3; ++corner)
     {
       float weight = weights[corner];
@@ -169,26 +170,30 @@ private:
         }
       }
       VertexSums& vertex = map[facet.vertices[corner]];
-      const FixedPoint rounded = ToFixedPoint(weight);
-      (photon.direct ? vertex.direct : vertex.indirect) += rounded;
+      rounded[corner] = ToFixedPoint(weight);
+      (photon.direct ? vertex.direct : vertex.indirect) += rounded[corner];
       ++vertex.hits;
-      if (layers)
-      {
-        this->AddToLayers(facet.vertices[corner], photon, rounded);
-      }
+    }
+    if (layers)
+    {
+      this->AddToLayers(facet, photon, rounded);
     }
   }
 
-  void AddToLayers(std::uint32_t vertex, const PhotonOrigin& photon, FixedPoint weight) const
+  void AddToLayers(
+    const Facet& facet, const PhotonOrigin& photon, const FixedPoint (&weights)[3]) const
   {
-    FixedPoint* own = &this->Layers.sums[vertex * this->Layers.perVertex];
-    if (this->Layers.HasColour())
+    for (int corner = 0; corner < 3; ++corner)
     {
-      own[photon.channel] += weight;
-    }
-    if (this->Layers.HasLamps())
-    {
-      own[this->Layers.firstLamp + photon.lamp] += weight;
+      FixedPoint* own = &this->Layers.sums[facet.vertices[corner] * this->Layers.perVertex];
+      if (this->Layers.HasColour())
+      {
+        own[photon.channel] += weights[corner];
+      }
+      if (this->Layers.HasLamps())
+      {
+        own[this->Layers.firstLamp + photon.lamp] += weights[corner];
+      }
     }
   }
 

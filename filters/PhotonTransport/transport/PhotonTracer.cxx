@@ -28,8 +28,9 @@ struct Job
   float weightBound;
 };
 
+/// Flattened: with so many walks in one file, compilers stop inlining what is hot in each.
 template <Registration Kind, bool BackSide, Walk Way>
-void TraceBlock(const Job& job, std::uint64_t first, std::uint64_t last, IlluminationSums& sums,
+[[gnu::flatten]] void TraceBlock(const Job& job, std::uint64_t first, std::uint64_t last, IlluminationSums& sums,
   LightLayers& layers)
 {
   const Registrar<Kind, BackSide> registrar(job.walk.scene, job.weightBound, sums, layers);

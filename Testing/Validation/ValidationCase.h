@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PhotonTransport/lights/Lamp.h"
+#include "PhotonTransport/scene/Scene.h"
+#include "PhotonTransport/transport/TraceSettings.h"
+
+#include <string>
+#include <vector>
+
+/// Something that is known of a map: a weighted sum of its illuminances.
+struct Quantity
+{
+  double exact;
+  std::vector<double> weights; ///< [vertex]
+  bool indirectOnly = false;
+};
+
+/// A case of the table in Testing/README.md.
+struct ValidationCase
+{
+  std::string name; ///< "5.2 point lamp": CIE 171:2006's number, if it has one.
+  PhotonTransport::Surface surface;
+  PhotonTransport::Lighting lighting;
+  std::vector<Quantity> quantities;
+  double photons = 4e6; ///< Of all runs together.
+  PhotonTransport::TraceSettings settings{};
+};
+
+/// Traces the case in independent runs and expects each quantity within 3 standard errors of what
+/// is exact, a standard error of at most 0.5 % of it, and all photons accounted for. Standard
+/// errors are those of the mean of 32 runs, so a correct tracer fails a quantity with a chance of
+/// 0.5 % (Student's t, 31 degrees of freedom). Records the case for the table.
+void ExpectExact(const ValidationCase& known);
+
+/// Weights A_v g(x_v) over the points for which `counts` holds: for a flat part and a linear g the
+/// quantity is the integral of g E over the part, as hat functions add up to linear functions.
+std::vector<double> IntegralWeights(const PhotonTransport::Surface& surface,
+  const std::vector<bool>& counts, const std::vector<double>& g);
+
+/// Weight 1 for one point.
+std::vector<double> PointWeights(const PhotonTransport::Surface& surface, std::size_t point);

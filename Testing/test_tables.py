@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tables of Testing/README.md share: results from the tests' XML files, and a place between marks."""
+
+import xml.etree.ElementTree as ElementTree
+
+
+def finished_tests(folder):
+    """(suite, test, {property: value}) of every test that has run, from the XML files in a folder."""
+    for file in sorted(folder.rglob("*.xml")):
+        for test in ElementTree.parse(file).iter("testcase"):
+            if test.get("status") == "run" and test.find("skipped") is None:
+                properties = {p.get("name"): p.get("value") for p in test.iter("property")}
+                yield test.get("classname"), test.get("name"), properties
+
+
+def put_table(page, name, lines):
+    """Puts lines between the marks of a table in a page, if they are new."""
+    begin, end = f"<!-- {name} from here -->", "<!-- to here -->"
+    text = page.read_text()
+    before, rest = text.split(begin)
+    after = rest.split(end, 1)[1]
+    table = "\n".join(lines)
+    new = f"{before}{begin}\n\n{table}\n\n{end}{after}"
+    if new != text:
+        page.write_text(new)
+        print(f"{page} has new results")

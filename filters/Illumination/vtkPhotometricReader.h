@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPhotometricReader
+ * @brief   reads photometric files (IES LM-63, EULUMDAT) and draws their photometric solids
+ *
+ * Reads the luminous intensities of a luminaire: IESNA LM-63 of 1986 to 2019 (.ies) of photometry
+ * types C, B and A, or EULUMDAT (.ldt, .eul). The output is the photometric solid, a closed surface
+ * about the origin: in every direction a point at a distance in proportion to the intensity. The
+ * luminaire aims along -z; azimuth 0 of type C is +x and azimuth 90 degrees is +y; right and up of
+ * types A and B are +x and +y. Directions for which the file has no angles are dark.
+ *
+ * Intensities are the file's with all factors that it names. Those of TILT count for a luminaire
+ * that is not tilted, the one at 0 degrees.
+ *
+ * Point array: LuminousIntensity (cd).
+ *
+ * Field data:
+ *  - LuminaireFlux (lm): what the luminaire emits, the integral over the solid.
+ *  - RatedFlux (lm): of its bare lamps together; 0 for absolute photometry.
+ *  - InputPower (W): 0 if the file does not say.
+ *  - Efficacy (lm/W): LuminaireFlux / InputPower, where the power is known.
+ *  - Description: manufacturer, name and number as far as given.
+ *  - PhotometricType: C, B or A.
+ *
+ * A file that can't be read gives one error with its name, the line, the value and what should be
+ * there, and an empty output.
+ */
+
+#ifndef vtkPhotometricReader_h
+#define vtkPhotometricReader_h
+
+#include "vtkIlluminationModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <string> // for the file name
+
+class VTKILLUMINATION_EXPORT vtkPhotometricReader : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkPhotometricReader* New();
+  vtkTypeMacro(vtkPhotometricReader, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The file to read, .ies, .ldt or .eul. Default: empty.
+   */
+  vtkSetStdStringFromCharMacro(FileName);
+  vtkGetCharFromStdStringMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of the largest intensity from the origin, in the data's length unit, above 0.
+   * Default: 1.
+   */
+  vtkSetMacro(Size, double);
+  vtkGetMacro(Size, double);
+  ///@}
+
+  /**
+   * 1 for a file that can be opened and has the extension of a photometric file, else 0. Whether
+   * its content can be read shows on Update.
+   */
+  int CanReadFile(VTK_FILEPATH const char* name);
+
+protected:
+  vtkPhotometricReader();
+  ~vtkPhotometricReader() override = default;
+
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+  std::string FileName;
+  double Size = 1.0;
+
+private:
+  vtkPhotometricReader(const vtkPhotometricReader&) = delete;
+  void operator=(const vtkPhotometricReader&) = delete;
+};
+
+#endif
