@@ -72,9 +72,8 @@ inline std::vector<Segment> RecordSegments(const PhotonTransport::Scene& scene,
     {
       segment.ray = next;
       scene.Intersect(&segment.ray, &segment.hit, 1);
-      goesOn =
-        PhotonTransport::Arrive<PhotonTransport::Walk::Diffuse>(
-          flight, next, segment.hit, walk, KeepHit{ segment }, balance);
+      goesOn = PhotonTransport::Arrive<PhotonTransport::Walk::Diffuse>(
+        flight, next, segment.hit, walk, KeepHit{ segment }, balance);
       segments.push_back(segment);
     }
   }

@@ -121,8 +121,7 @@ void RegistrationOf(benchmark::State& state)
     }
     for (std::size_t i = 0; i < Batch; ++i)
     {
-      registrar(
-        batch[i].ray, batch[i].hit, batch[i].front, PhotonOrigin{ 0, 0, batch[i].direct });
+      registrar(batch[i].ray, batch[i].hit, batch[i].front, PhotonOrigin{ 0, 0, batch[i].direct });
     }
     first = (first + Batch) % stage.segments.size();
   }

@@ -30,8 +30,8 @@ struct Job
 
 /// Flattened: with so many walks in one file, compilers stop inlining what is hot in each.
 template <Registration Kind, bool BackSide, Walk Way>
-[[gnu::flatten]] void TraceBlock(const Job& job, std::uint64_t first, std::uint64_t last, IlluminationSums& sums,
-  LightLayers& layers)
+[[gnu::flatten]] void TraceBlock(const Job& job, std::uint64_t first, std::uint64_t last,
+  IlluminationSums& sums, LightLayers& layers)
 {
   const Registrar<Kind, BackSide> registrar(job.walk.scene, job.weightBound, sums, layers);
   WalkPhotons<Way>(job.walk, first, last, registrar, sums.balance);
