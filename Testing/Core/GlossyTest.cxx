@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The glossy lobe against quadrature of D G2 / (4 cos), Walter et al. 2007 and Heitz 2014.
-#include "PhotonTransport/materials/GlossyReflection.h"
+#include "PhotonTransport/materials/Scattering.h"
 
 #include "RandomNumbers.h"
 
@@ -193,9 +193,9 @@ TEST(Glossy, AlbedoIsThatOfTheDensity)
   }
 }
 
-// At alpha 1 and normal incidence D is constant: the albedo is that of mu / (mu + 1), mu from 0 to
-// 1, which is 1 - ln 2. The rest is lost between the microfacets; how much is said for users.
-TEST(Glossy, LosesMoreTheRougher)
+// At alpha 1 and normal incidence D is constant: the albedo of one reflection is that of
+// mu / (mu + 1), mu from 0 to 1, which is 1 - ln 2.
+TEST(Glossy, ReflectsLessAtTheFirstMicrofacetTheRougher)
 {
   const Albedo roughest({ 0.0, 0.0, 1.0 }, 1.0, 1'000'000);
   EXPECT_NEAR(roughest.mean, 1.0 - std::log(2.0), 4.0 * roughest.error);
@@ -207,6 +207,46 @@ TEST(Glossy, LosesMoreTheRougher)
     last = albedo.mean;
     RecordProperty("albedo_roughness_" + std::to_string(static_cast<int>(10.0 * roughness + 0.5)),
       std::to_string(albedo.mean));
+  }
+}
+
+// Nothing is lost: what the lobe leaves goes out by Lambert's law.
+TEST(Glossy, WhatMicrofacetsPassOnLeavesDiffusely)
+{
+  constexpr int Photons = 400'000;
+  for (const double alpha : { 0.3, 1.0 })
+  {
+    const glm::dvec3 in = Towards(60.0);
+    Cells expected = Quadrature(in, alpha, 64);
+    const double rest = 1.0 - expected.Sum();
+    for (int band = 0; band < Cells::Bands; ++band)
+    {
+      const double share = (2.0 * band + 1.0) / (Cells::Bands * Cells::Bands * Cells::Sectors);
+      for (int sector = 0; sector < Cells::Sectors; ++sector)
+      {
+        expected.values[static_cast<std::size_t>(band * Cells::Sectors + sector)] += rest * share;
+      }
+    }
+    Cells counts;
+    RandomNumbers random(3);
+    for (int i = 0; i < Photons; ++i)
+    {
+      ScatteringSample sample{ 0, random.Unit(), 0.0f };
+      sample.v = random.Unit();
+      sample.survival = static_cast<std::uint32_t>(random.Unit() * 0x1p24f) << 8;
+      const double place = sample.survival * 0x1p-32;
+      counts.Of(glm::dvec3(ReflectFromMicrofacets(
+        glm::vec3(in), { 0.0f, 0.0f, 1.0f }, static_cast<float>(alpha), sample, place))) += 1.0;
+    }
+    double chi2 = 0.0;
+    for (std::size_t c = 0; c < counts.values.size(); ++c)
+    {
+      const double mean = Photons * expected.values[c];
+      EXPECT_GE(mean, 10.0);
+      chi2 += std::pow(counts.values[c] - mean, 2) / mean;
+    }
+    const auto cells = static_cast<double>(counts.values.size());
+    EXPECT_LE(chi2, cells + 4.0 * std::sqrt(2.0 * cells)) << alpha;
   }
 }
 

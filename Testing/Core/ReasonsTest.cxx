@@ -117,7 +117,7 @@ TEST(Reasons, ColourIsForFacetsOrLampsThatHaveOne)
   lighting.luminaires[0].colour = { 1.0f, 0.9f, 0.8f };
   const Effects lamps = Analysed(Cube({}), {}, lighting);
   EXPECT_TRUE(lamps.colour && !lamps.colouredFacets);
-  ExpectReason(lamps, "colour: on, 0 of 12 triangles and 1 lamps have a colour");
+  ExpectReason(lamps, "colour: on, 0 of 12 triangles and 1 lamp have a colour");
 
   Surface shining = Cube({});
   shining.exitance.assign(12, 1.0f);
@@ -130,7 +130,7 @@ TEST(Reasons, ColourIsForFacetsOrLampsThatHaveOne)
   mono.colour = false;
   const Effects off = Analysed(Cube(red), mono, lighting);
   EXPECT_FALSE(off.colour || off.colouredFacets);
-  ExpectReason(off, "colour: off, switched off though 1 of 12 triangles and 1 lamps have a colour");
+  ExpectReason(off, "colour: off, switched off though 1 of 12 triangles and 1 lamp have a colour");
 }
 
 TEST(Reasons, LampsAndBackSide)
@@ -149,8 +149,8 @@ TEST(Reasons, LampsAndBackSide)
     return std::count_if(effects.reasons.begin(), effects.reasons.end(),
       [&](const std::string& reason) { return reason.rfind(words, 0) == 0; });
   };
-  EXPECT_EQ(starts("area lamps: on, 2 of 4 lamps "), 1);
-  EXPECT_EQ(starts("photometric lamps: on, 1 of 4 lamps "), 1);
-  EXPECT_EQ(starts("sky: on, 1 of 4 lamps "), 1);
-  EXPECT_EQ(starts("choice between lamps: on, 4 of 4 lamps "), 1);
+  EXPECT_EQ(starts("area lamps: on, 2 of 4 lamps: "), 1);
+  EXPECT_EQ(starts("photometric lamps: on, 1 of 4 lamps: "), 1);
+  EXPECT_EQ(starts("sky: on, 1 of 4 lamps: "), 1);
+  EXPECT_EQ(starts("choice between lamps: on, 4 of 4 lamps: "), 1);
 }

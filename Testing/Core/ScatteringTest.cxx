@@ -77,7 +77,7 @@ Material Mixed()
   material.glossyReflectance = Colour(0.1f);
   material.diffuseTransmittance = Colour(0.15f);
   material.clearTransmittance = Colour(0.1f); // of the quarter that is left: 0.4
-  material.roughness = 0.01f;                 // loses less than a photon, see GlossyTest
+  material.roughness = 0.5f;
   material.refractiveIndex = 1.5f;
   return material;
 }

@@ -25,7 +25,7 @@ constexpr float Glass = 1.52f;
 
 /// Seen from no point of the floor through the openings, so that the cusp of the sky's luminance
 /// does not disturb the quadrature.
-const glm::dvec3 Sun = glm::normalize(glm::dvec3(1.0, 0.5, 0.4));
+const glm::dvec3 Sun = glm::normalize(glm::dvec3(1.0, -0.5, 0.4));
 
 /// All of it a black surface, but for its last facets, which are clear glass.
 Surface WithGlass(const Surface& black, const Surface& pane)

@@ -44,19 +44,19 @@ double RelativeSkyLuminance(int type, double zenithAngle, double sunZenithAngle,
     return (1.0 + 2.0 * std::cos(zenithAngle)) / 3.0; // clause 5, Moon and Spencer's sky
   }
   const Sky& sky = Skies[type - 1];
-  const auto gradation = [&](double angle) // equation (2); its limit at the horizon is 1
+  const auto gradation = [&](double angle) // 1 + a exp(b / cos), whose limit at the horizon is 1
   {
     const double cosine = std::cos(angle);
     return cosine > 0.0 ? 1.0 + sky.a * std::exp(sky.b / cosine) : 1.0;
   };
-  const auto indicatrix = [&](double angle) // equation (3)
+  const auto indicatrix = [&](double angle)
   {
     const double cosine = std::cos(angle);
     return 1.0 + sky.c * (std::exp(sky.d * angle) - std::exp(sky.d * HalfPi)) +
       sky.e * cosine * cosine;
   };
   return indicatrix(angleToSun) * gradation(zenithAngle) /
-    (indicatrix(sunZenithAngle) * gradation(0.0)); // equation (1)
+    (indicatrix(sunZenithAngle) * gradation(0.0));
 }
 
 } // namespace PhotonTransport

@@ -22,8 +22,8 @@ inline float SmithLambda(float cosine, float alpha)
   return 0.5f * (std::sqrt(1.0f + alpha * alpha * tangent2) - 1.0f);
 }
 
-/// A direction from a lobe about the mirror direction, and the probability that the photon takes
-/// it; else it is absorbed between the microfacets.
+/// A direction from a lobe about the mirror direction, and the probability that the photon leaves
+/// there; else it meets another microfacet.
 struct GlossyDirection
 {
   glm::vec3 direction;
@@ -34,8 +34,7 @@ struct GlossyDirection
 /// for Refraction through Rough Surfaces", 2007), each chosen as often as the photon sees it
 /// (Heitz, "Sampling the GGX Distribution of Visible Normals", JCGT 7(4), 2018, as a spherical cap:
 /// Dupuy and Benyoub, "Sampling Visible GGX Normals with Spherical Caps", 2023). The probability,
-/// G2 / G1, is at most 1: light is never made, and what microfacets would pass on to each other is
-/// lost, the more the rougher.
+/// G2 / G1, is at most 1.
 /// @param towards Unit, back along the photon's ray. @param normal Unit, on the same side.
 /// @param alpha Of the distribution, > 0.
 inline GlossyDirection ReflectGlossily(

@@ -104,6 +104,26 @@ inline Departure PassClear(const Roulette& material, float internal, float u,
   return departure;
 }
 
+/// The glossy share of the light, all of it. @param place In [0, 1).
+inline glm::vec3 ReflectFromMicrofacets(const glm::vec3& towards, const glm::vec3& normal,
+  float alpha, const ScatteringSample& sample, double place)
+{
+  const GlossyDirection lobe = ReflectGlossily(towards, normal, alpha, sample.u, sample.v);
+  if (place < double{ lobe.probability })
+  {
+    return lobe.direction;
+  }
+  // What microfacets pass on to each other leaves in all directions (Kulla and Conty, "Revisiting
+  // Physically Based Shading at Imageworks", 2017, whose lobe for it is nearly Lambert's), so that
+  // nothing is lost. By fresh numbers: those at hand are not uniform among such photons.
+  constexpr std::uint32_t GlossyStream = 0x476c6f73u;
+  const std::array<std::uint32_t, 4> fresh =
+    Philox({ sample.survival, static_cast<std::uint32_t>(sample.u * 0x1p24f),
+             static_cast<std::uint32_t>(sample.v * 0x1p24f), 0 },
+      { GlossyStream, 0 });
+  return ReflectDiffusely(normal, UnitFloat(fresh[0]), UnitFloat(fresh[1]));
+}
+
 /// What becomes of a photon of unit energy: it goes on with all of it, or is absorbed.
 /// @tparam Possible What is compiled in. @param direction Unit, of the arriving ray.
 /// @param normal Unit, on the side it comes from. @param front Whether that is the front.
@@ -131,14 +151,13 @@ Departure Scatter(const Roulette& material, std::uint32_t channel, const Scatter
     }
     if (bits < shares.glossy)
     {
-      const GlossyDirection lobe =
-        ReflectGlossily(-direction, normal, material.alpha, sample.u, sample.v);
+      departure.absorbed = false;
+      departure.how = Scattering::GlossyReflection;
       // Where in its share the number lies is as good as another number.
       const auto place = static_cast<double>(bits - shares.specular) /
         static_cast<double>(shares.glossy - shares.specular);
-      departure.absorbed = !(place < double{ lobe.probability });
-      departure.how = Scattering::GlossyReflection;
-      departure.direction = lobe.direction;
+      departure.direction =
+        ReflectFromMicrofacets(-direction, normal, material.alpha, sample, place);
       return departure;
     }
   }
