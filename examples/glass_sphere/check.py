@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Fails unless the caustic is that of a smooth glass sphere, but for what the facets do to it.
 
-Facets turn rays by up to about an edge's angle, to all sides alike. That blurs the caustic: where
-light changes little over the width of the blur, by a share that falls with the square of the edge's
-length, and by about its length where a ring of the floor is no wider than the blur. So facets half as
-long must be at most half as far off, but for noise. Needs pvbatch, but no screen.
+A facet's normal is off the sphere's by up to the angle from its middle to a corner, to all sides
+alike. That blurs the caustic, by a width that halves with the facets. A mean over much more than
+that width changes by its square, over as much by about the width itself: no ring of the floor is
+much narrower. So facets half as long must be at most half as far off, but for noise. Needs pvbatch,
+but no screen.
 """
 
 import sys
@@ -17,11 +18,11 @@ from illumination import load_plugin
 
 SIGMAS = 5.0
 SIGMAS_TOTAL = 3.0
-SINGLE = 2.0**-23  # illuminance is registered and stored as numbers of that relative precision
+SINGLE = 2.0**-23  # relative precision of the numbers that illuminance is stored as
 
 
 def check_balance(found):
-    """Every photon is accounted for; as glass absorbs nothing, those absorbed are the floor's flux."""
+    """Every photon is accounted for. Glass absorbs none: those absorbed are the floor's flux."""
     for facts, flux in zip(found.facts, found.fluxes().sum(axis=1)):
         emitted, absorbed = facts["PhotonsEmitted"], facts["PhotonsAbsorbed"]
         assert emitted == absorbed + facts["PhotonsEscaped"] + facts["PhotonsCutOff"], facts
@@ -34,15 +35,19 @@ def check_balance(found):
 def check_total(found, exact):
     """All the floor's flux, to which it matters little where on the floor light lands.
 
-    Light that enters next to the sphere's edge can be caught between facets, reflected totally again
-    and again, until it is cut off; there must be less of it than can be noticed.
+    Light that enters next to the sphere's edge can be caught between facets, reflected totally
+    again and again, until it is cut off; there must be less of it than can be noticed.
     """
     mean, error = mean_and_error(found.fluxes().sum(axis=1))
-    lost = max(facts["EmittedFlux"] * facts["PhotonsCutOff"] / facts["PhotonsEmitted"] for facts in found.facts)
-    print(f"at most {lost:.5f} lm caught in the glass, standard error of the floor's flux {error:.5f} lm")
+    flux, emitted, lost = (
+        sum(facts[name] for facts in found.facts)
+        for name in ("EmittedFlux", "PhotonsEmitted", "PhotonsCutOff")
+    )
+    lost *= flux / len(found.facts) / emitted
+    print(f"{lost:.5f} lm caught in the glass; standard error of the floor's flux {error:.5f} lm")
     assert lost <= error
     off = (mean - exact.sum()) / error
-    print(f"flux of the floor {mean:.4f} lm, exact {exact.sum():.4f} lm: {off:.1f} standard errors off")
+    print(f"floor's flux {mean:.4f} lm, exact {exact.sum():.4f} lm: {off:.1f} standard errors off")
     assert abs(off) <= SIGMAS_TOTAL
 
 
@@ -56,7 +61,7 @@ def check_encircled(coarse, fine, exact):
     beyond = (np.abs(of_fine - wanted) - facets) / noise
     worst = beyond.argmax()
     where = f"{1000.0 * RINGS.radii[worst]:.1f} mm"
-    print(f"encircled flux: at worst ({where}) {beyond[worst]:.1f} standard errors beyond the facets' share")
+    print(f"flux within {where}, the worst: {beyond[worst]:.1f} standard errors beyond the facets'")
     assert beyond[worst] <= SIGMAS
 
 
@@ -67,10 +72,10 @@ def misplaced(found, exact):
 
 
 def check_rings(coarse, fine, exact):
-    """The rings' means: below the facets' share taken together, as in faint light each sees few facets."""
+    """The rings' own flux, taken together: where light is faint, a ring is lit by few facets."""
     of_coarse, _ = misplaced(coarse, exact)
     of_fine, noise = misplaced(fine, exact)
-    print(f"flux in wrong rings {of_coarse:.3f} lm, with facets half as long {of_fine:.3f} lm, noise {noise:.3f} lm")
+    print(f"in wrong rings {of_coarse:.3f} lm, then {of_fine:.3f} lm, of it noise {noise:.3f} lm")
     assert of_fine - noise <= 0.5 * of_coarse
 
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Illuminance below a smooth glass sphere in parallel light from above, by following rays on paper.
 
-A ray that arrives at the angle a to the normal, a' inside, meets the sphere again after every further
-pi - 2 a' about the centre, and leaves each time at the angle a: Descartes' rays of the rainbow.
-Lengths in m.
+A ray that arrives at the angle a to the normal, a' inside, meets the sphere again after every
+further pi - 2 a' about the centre, and leaves each time at the angle a: Descartes' rays of the
+rainbow. Lengths in m.
 """
 
 from dataclasses import dataclass
@@ -42,7 +42,7 @@ class Rings:
         return areas
 
     def collect(self, reach, flux):
-        """Flux that each ring registers of light that lands evenly around the axis at distances reach.
+        """Flux that each ring registers of light that lands so far (reach) from the axis, evenly.
 
         Barycentric coordinates share it out: linearly in the distance, as sides are parallel.
         """
