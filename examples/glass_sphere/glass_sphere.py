@@ -66,7 +66,8 @@ def glass(subdivisions):
         surface = divide.GetOutput()
         points = vtk_to_numpy(surface.GetPoints().GetData())
         points /= np.linalg.norm(points, axis=1, keepdims=True)
-    corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)[:, ::-1]
+    corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    corners = corners[:, ::-1]  # VTK's icosahedron is inside out
     centre = (0.0, 0.0, GLASS.height)
     return bodies.to_surface(GLASS.radius * points + centre, points, corners)
 
