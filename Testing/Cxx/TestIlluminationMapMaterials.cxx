@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Materials from Surface Material and lamps from Luminaire reach the tracer: effects go on by what
+// cells have and off by their switches, colours add up, each luminaire's part too, and what can't
+// be used gives one error.
+#include "TestTools.h"
+
+#include "vtkCellData.h"
+#include "vtkFloatArray.h"
+#include "vtkLuminaireSource.h"
+#include "vtkNew.h"
+#include "vtkSphereSource.h"
+#include "vtkSurfaceMaterial.h"
+
+#include <cmath>
+
+namespace
+{
+
+/// A hollow ball seen from inside, with a lamp in it.
+struct Ball
+{
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkSurfaceMaterial> material;
+  vtkNew<vtkIlluminationMap> filter;
+  vtkNew<ErrorCounter> errors;
+
+  Ball()
+  {
+    this->sphere->SetThetaResolution(24);
+    this->sphere->SetPhiResolution(12);
+    this->material->SetInputConnection(this->sphere->GetOutputPort());
+    this->filter->SetInputConnection(this->material->GetOutputPort());
+    this->filter->SetPhotons(100'000);
+    this->filter->SetLampType(vtkIlluminationMap::PARALLEL);
+    this->filter->SetRegisterBackSide(true);
+    this->filter->AddObserver(vtkCommand::ErrorEvent, this->errors);
+  }
+  vtkPolyData* Output()
+  {
+    this->filter->Update();
+    return this->filter->GetOutput();
+  }
+  bool Says(const std::string& words)
+  {
+    return FieldText(this->Output(), "Effects").find(words) != std::string::npos;
+  }
+};
+
+void TestPresets(Checks& check)
+{
+  Ball ball;
+  ball.material->SetPreset(vtkSurfaceMaterial::MIRROR);
+  check(ball.Says("specular reflection: on") && ball.Says("interreflection: off"), "a mirror");
+  check(ball.Says("colour: off"), "a mirror has no colour");
+  ball.material->SetPreset(vtkSurfaceMaterial::CLEAR_GLASS);
+  check(ball.Says("clear transmission: on, 480 of 480"), "glass");
+  // Light crosses the pane above and lands on the one below.
+  vtkDataArray* back = PointArray(ball.Output(), "IlluminanceBack");
+  check(back && back->GetRange()[1] > 100.0, "light behind glass");
+  ball.filter->SetUseMaterialArrays(false);
+  check(ball.Says("clear transmission: off, no triangle"), "arrays switched off");
+}
+
+void TestSwitches(Checks& check)
+{
+  Ball ball;
+  ball.material->SetPreset(vtkSurfaceMaterial::CLEAR_GLASS);
+  check(FieldValue(ball.Output(), "FluxSwitchedOff") == 0.0, "all is on");
+  ball.filter->SetClearTransmission(false);
+  vtkPolyData* output = ball.Output();
+  check(ball.Says("clear transmission: off, switched off though"), "said");
+  const double emitted = FieldValue(output, "EmittedFlux");
+  const double lost = FieldValue(output, "FluxSwitchedOff");
+  // Of the disk's flux nearly all meets the ball, and glass absorbs a few per cent.
+  check(lost > 0.8 * emitted && lost < emitted, "flux that was not carried");
+  check(FieldValue(output, "PhotonsEmitted") ==
+      FieldValue(output, "PhotonsAbsorbed") + FieldValue(output, "PhotonsEscaped") +
+        FieldValue(output, "PhotonsCutOff"),
+    "balance");
+  check(PointArray(output, "IlluminanceBack")->GetRange()[1] == 0.0, "none behind the glass");
+}
+
+void TestColours(Checks& check)
+{
+  Ball ball;
+  ball.material->SetDiffuseReflectance(0.9, 0.5, 0.1);
+  vtkPolyData* output = ball.Output();
+  vtkDataArray* rgb = PointArray(output, "IlluminanceRGB");
+  vtkDataArray* lux = PointArray(output, "Illuminance");
+  check(rgb && rgb->GetNumberOfComponents() == 3, "a map by colour");
+  for (vtkIdType p = 0; rgb && p < rgb->GetNumberOfTuples(); ++p)
+  {
+    const double* c = rgb->GetTuple3(p);
+    const double sum = 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+    // The weights are floats in the core.
+    check(std::fabs(sum - lux->GetTuple1(p)) <= 1e-6 * lux->GetTuple1(p), "colours add up");
+  }
+  ball.filter->SetColour(false);
+  output = ball.Output();
+  check(!PointArray(output, "IlluminanceRGB"), "one channel");
+  check(ball.Says("colour: off, switched off though"), "said");
+}
+
+void TestLuminaires(Checks& check)
+{
+  Ball ball;
+  vtkNew<vtkLuminaireSource> sun;
+  sun->SetType(vtkLuminaireSource::PARALLEL);
+  sun->SetLuminaireName("Sun");
+  vtkNew<vtkLuminaireSource> lamp;
+  lamp->SetType(vtkLuminaireSource::POINT);
+  lamp->SetPosition(2.0, 0.0, 0.0);
+  ball.filter->AddLuminaireConnection(sun->GetOutputPort());
+  ball.filter->AddLuminaireConnection(lamp->GetOutputPort());
+  ball.filter->SetLampContributions(true);
+  vtkPolyData* output = ball.Output();
+  vtkDataArray* bySun = PointArray(output, "Illuminance_Sun");
+  vtkDataArray* byLamp = PointArray(output, "Illuminance_Lamp 2"); // it has no name of its own
+  vtkDataArray* all = PointArray(output, "Illuminance");
+  check(bySun && byLamp, "parts by name");
+  for (vtkIdType p = 0; bySun && byLamp && p < all->GetNumberOfTuples(); ++p)
+  {
+    const double sum = bySun->GetTuple1(p) + byLamp->GetTuple1(p);
+    check(std::fabs(sum - all->GetTuple1(p)) <= 1e-12 * all->GetTuple1(p), "parts add up");
+  }
+  const double before = FieldValue(output, "EmittedFlux");
+  lamp->SetDimming(0.5);
+  check(std::fabs(FieldValue(ball.Output(), "EmittedFlux") - (before - 500.0)) < 1e-9 * before,
+    "a dimmed luminaire is traced anew");
+  ball.filter->RemoveAllLuminaires();
+  check(PointArray(ball.Output(), "Illuminance_Lamp"), "the own lamp again");
+  check(ball.errors->Count == 0, "no errors");
+}
+
+void TestErrors(Checks& check)
+{
+  Ball ball;
+  vtkNew<vtkSphereSource> none;
+  ball.filter->AddLuminaireConnection(none->GetOutputPort());
+  ball.Output();
+  check(ball.errors->Count == 1 &&
+      ball.errors->Messages.find("luminaire 1 is none") != std::string::npos,
+    "a ball is no luminaire: " + ball.errors->Messages);
+  check(!PointArray(ball.filter->GetOutput(), "Illuminance"), "no map");
+  ball.filter->RemoveAllLuminaires();
+
+  // Arrays that nobody checked before.
+  ball.material->Update();
+  vtkNew<vtkPolyData> surface;
+  surface->ShallowCopy(ball.material->GetOutput());
+  vtkNew<vtkFloatArray> specular;
+  specular->SetName("SpecularReflectance");
+  specular->SetNumberOfTuples(surface->GetNumberOfCells());
+  specular->Fill(0.1);
+  specular->SetValue(7, 0.75f);
+  surface->GetCellData()->AddArray(specular);
+  ball.filter->SetInputData(surface);
+  ball.Output();
+  check(ball.errors->Count == 2 &&
+      ball.errors->Messages.find(
+        "cell 7: reflectances and transmittances sum to 1.25, more than 1") != std::string::npos,
+    "too much light: " + ball.errors->Messages);
+}
+
+} // namespace
+
+int TestIlluminationMapMaterials(int, char*[])
+{
+  Checks check;
+  TestPresets(check);
+  TestSwitches(check);
+  TestColours(check);
+  TestLuminaires(check);
+  TestErrors(check);
+  return check.Failures();
+}
