@@ -10,13 +10,13 @@ from illumination import as_source, illuminate, run_filter
 from scene import HERE, TABLE_AHEAD, TABLE_TOP, TABLES, place
 
 COVES = "Coves"
-READING_SEATS = ("1E", "1C", "2D", "2A", "3C")
+READING_SEATS = ("1E", "1C", "2D", "2F", "3C", "3A")
 LAMPS = (COVES, *READING_SEATS)
 EVENING = dict.fromkeys(LAMPS, 1.0)  # dimming of every lamp
 LATE = {**dict.fromkeys(LAMPS, 0.0), COVES: 0.5, "1E": 0.8}
 
-COVE_EXITANCE = 200.0  # lm/m^2 in the evening; by day, in cabin/, it is 25,000
-COVE_COLOUR = np.array([0.22, 0.25, 1.0])  # linear red, green, blue: dusk
+COVE_EXITANCE = 150.0  # lm/m^2 in the evening; by day, in cabin/, it is 25,000
+COVE_COLOUR = np.array([0.14, 0.17, 1.0])  # linear red, green, blue: dusk
 LUMINOUS = np.array([0.2126, 0.7152, 0.0722])  # of red, green and blue; ITU-R BT.709
 WARM = (1.0, 0.60, 0.27)  # linear red, green, blue of white light of about 2800 K
 LAMP_AHEAD, LAMP_HEIGHT = 0.43, 1.57  # of the seat's x = 0; just below the bin
@@ -87,9 +87,9 @@ def dimmed(found, dimming):
 def differ(found, fresh, dimming):
     """By how many standard errors dimmed(found) and a fresh run differ, root mean square over points.
 
-    About 1 if both are right. The first one's variance is at most that of the undimmed map, as long
-    as no level is above 1: lamps have photons of their own. Points with few photons are left out:
-    their standard errors are too rough.
+    At most about 1 if both are right: lamps have photons of their own, so the variance of the dimmed
+    map is at most that of the undimmed one as long as no level is above 1. Points with few photons
+    are left out: their standard errors are too rough.
     """
     own = (fresh.array("RelativeError") < 0.2) & (fresh.array() > 0.0)
     variance = found.array("StandardError") ** 2 + fresh.array("StandardError") ** 2

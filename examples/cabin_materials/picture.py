@@ -9,11 +9,11 @@ from comparison import with_array
 from pictures import BAR, GAP, INK, MARGIN, TITLE, Camera, Page, Scale, snapshot
 
 WIDTH = 1400  # pixels
-EXPOSURE = 0.16  # per cd/m^2
-LUX = (1.0, 500.0)  # shown, logarithmic
+EXPOSURE = 0.15  # per cd/m^2
+LUX = (0.5, 500.0)  # shown, logarithmic
 VIEWS = (  # camera and height in pixels
-    (Camera(position=(4.74, -0.32, 1.46), focus=(2.6, 0.22, 1.13), angle=66.0), 440),
-    (Camera(position=(4.72, 0.02, 1.22), focus=(3.72, 1.08, 1.12), angle=62.0), 440),
+    (Camera(position=(4.74, -0.32, 1.46), focus=(2.6, 0.5, 1.1), angle=64.0), 440),
+    (Camera(position=(4.73, 0.28, 1.2), focus=(3.72, 1.13, 1.09), angle=60.0), 440),
 )
 
 
@@ -47,8 +47,8 @@ class EveningPage(Page):
         axes.axis("on")
         norm = matplotlib.colors.LogNorm(*LUX)
         bar = self.figure.colorbar(matplotlib.cm.ScalarMappable(norm, scale.colours), cax=axes)
-        bar.set_ticks([1, 2, 5, 10, 20, 50, 100, 200, 500])
-        bar.ax.yaxis.set_major_formatter("{x:.0f}")
+        bar.set_ticks([0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500])
+        bar.ax.yaxis.set_major_formatter("{x:g}")
         bar.ax.minorticks_off()
         bar.set_label(scale.label, color=INK, fontsize=13)
         bar.ax.tick_params(labelsize=12, colors=INK)

@@ -38,8 +38,8 @@ MATERIALS = {
     "Cove lamps": {"Preset": "White Paint"},
     "Ceiling": {"Preset": "White Paint"},
     "Bulkheads": {"Preset": "Wood"},
-    "Seat cushions": {"DiffuseReflectance": (0.14, 0.19, 0.27)},
-    "Seat backs": {"DiffuseReflectance": (0.14, 0.19, 0.27)},
+    "Seat cushions": {"DiffuseReflectance": (0.16, 0.18, 0.21)},
+    "Seat backs": {"DiffuseReflectance": (0.16, 0.18, 0.21)},
     "Armrests and frames": {"DiffuseReflectance": (0.10, 0.10, 0.10)},
     "Tables": {
         "DiffuseReflectance": (0.11, 0.06, 0.035),
@@ -107,11 +107,13 @@ def places(scene):
     part = np.empty(scene.GetNumberOfPoints(), dtype=int)  # parts share no points
     part[corners] = vtk_to_numpy(scene.GetCellData().GetArray("Part"))[:, None]
     of = {name: part == number for number, name in enumerate(PART_NAMES)}
-    height = vtk_to_numpy(scene.GetPoints().GetData())[:, 2]
+    x, y, z = vtk_to_numpy(scene.GetPoints().GetData()).T
+    above = (np.abs(x - place("1E")[0] - TABLE_AHEAD) < 0.25) & (y > 0.7) & (y < 1.1)
     return {
-        "Table 1E": of["Tables"] & (height > TABLE_TOP - 0.001),
+        "Table 1E": of["Tables"] & (z > TABLE_TOP - 0.001),
+        "Bin above it": of["Overhead bins"] & above & (z < 1.9),
         "Carpet": of["Floor"],
+        "Lower side walls": of["Side walls"] & (z < 0.6),
         "Seat cushions": of["Seat cushions"],
-        "Overhead bins": of["Overhead bins"],
         "Ceiling": of["Ceiling"],
     }
