@@ -33,7 +33,8 @@ from lighting import (  # noqa: E402
 from picture import draw_evening  # noqa: E402
 from scene import make_scene, places  # noqa: E402
 
-PHOTONS = 3_000_000
+PHOTONS = 16_000_000
+LATE_PHOTONS = 4_000_000
 
 
 def means(surface, lux):
@@ -89,9 +90,11 @@ def main(output):
     load_plugin()
     scene = make_scene()
     found = light(scene, EVENING, Photons=PHOTONS, GroupMeans=1)
+    escaped = found.facts["PhotonsEscaped"] / found.facts["PhotonsEmitted"]
+    print(f"{found.facts['Seconds']:.1f} s; {100.0 * escaped:.2f} % of the photons left by the windows")
     print("\n".join(["Effects:", *texts(found.surface, "Effects")]))
     tables.write(lamp_rows(found), output / "cabin_materials", "Cabin in the evening: the lamps")
-    fresh = light(scene, LATE, Photons=PHOTONS, Seed=2)
+    fresh = light(scene, LATE, Photons=LATE_PHOTONS, Seed=2)
     tables.write(dimming_rows(found, fresh), output / "cabin_materials_late", "Dimmed")
     print(f"The late maps differ by {differ(found, fresh, LATE):.3f} standard errors (RMS)")
     lux = smooth(found.surface).GetPointData().GetArray("IlluminanceSmoothed")

@@ -3,6 +3,7 @@
 
 import matplotlib
 import numpy as np
+from PIL import Image
 from vtk.util.numpy_support import vtk_to_numpy
 
 from comparison import with_array
@@ -73,3 +74,4 @@ def draw_evening(path, surface, illuminance, lux):
             top += height + GAP
     page.bar(MARGIN + 2 * (width + GAP), MARGIN + TITLE, 22, top - GAP - MARGIN - TITLE, scale)
     page.save(path)
+    Image.open(path).convert("RGB").save(path, optimize=True)

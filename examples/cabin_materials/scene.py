@@ -22,12 +22,10 @@ ROWS, WINDOWS = 4, 9
 ROOM = WINDOWS * WINDOW_PITCH
 FIRST_ROW = ROOM - 1.35  # x of the seats of row 1, the foremost
 PART_NAMES = [*REFLECTANCE, "Tables"]
-
 TABLES = ("1E",)  # seats with a table before them
-
 TABLE_AHEAD, TABLE_TOP = 0.43, 0.69  # of a seat's x = 0; above the floor
 
-# Red, green, blue of what Surface Material has no preset for; all linear.
+# Properties of Surface Material; colours are red, green, blue and linear.
 MATERIALS = {
     "Floor": {"DiffuseReflectance": (0.34, 0.035, 0.045)},
     "Side walls": {"Preset": "White Paint"},
@@ -57,9 +55,8 @@ BODIES = ("Seat cushions", "Seat backs", "Armrests and frames", "Tables")  # clo
 def place(seat):
     """x and y (m) of a seat such as 1F: rows from the front, A to F from left to right."""
     x = FIRST_ROW - SEAT_PITCH * (int(seat[0]) - 1)
-    from_aisle = "DEF".find(seat[1]) if seat[1] in "DEF" else "CBA".find(seat[1])
-    y = AISLE / 2.0 + ARMREST / 2.0 + (from_aisle + 0.5) * PLACE
-    return x, y if seat[1] in "DEF" else -y
+    from_aisle = {"C": -0.5, "B": -1.5, "A": -2.5, "D": 0.5, "E": 1.5, "F": 2.5}[seat[1]]  # places
+    return x, from_aisle * PLACE + np.copysign(AISLE / 2.0 + ARMREST / 2.0, from_aisle)
 
 
 def table():
