@@ -31,9 +31,12 @@ def _named(array, name):
     return array
 
 
-def to_polydata(parts, exitance):
-    """One vtkPolyData of all parts: part name -> Mesh; exitance of "Cove lamps" in lm/m^2."""
-    names = list(REFLECTANCE)
+def to_polydata(parts, exitance, reflectance=REFLECTANCE):
+    """One vtkPolyData of all parts: part name -> Mesh; exitance of "Cove lamps" in lm/m^2.
+
+    reflectance: of every part by name; its order numbers them.
+    """
+    names = list(reflectance)
     whole = merged([parts[name] for name in names])
     part = np.repeat(np.arange(len(names)), [len(parts[name].triangles) for name in names])
     data = vtk.vtkPolyData()
@@ -46,7 +49,7 @@ def to_polydata(parts, exitance):
     normals = numpy_to_vtk(whole.normals.astype(np.float32), deep=1)
     data.GetPointData().SetNormals(_named(normals, "Normals"))
     glow = np.where(part == names.index("Cove lamps"), exitance, 0.0)
-    columns = {"Reflectance": np.array(list(REFLECTANCE.values()))[part], "Exitance": glow}
+    columns = {"Reflectance": np.array(list(reflectance.values()))[part], "Exitance": glow}
     for name, values in columns.items():
         data.GetCellData().AddArray(_named(numpy_to_vtk(values, deep=1), name))
     data.GetCellData().AddArray(_named(numpy_to_vtk(part.astype(np.int32), deep=1), "Part"))

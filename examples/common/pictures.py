@@ -108,14 +108,22 @@ def show_lines(source, view, array, scale):
 
 
 def snapshot(surface, array, scale, camera, pixels, background):
-    """The picture of a surface as an array of (height, width, 3), 0 to 1."""
+    """The picture of a surface as an array of (height, width, 3), 0 to 1.
+
+    scale: None for an array that holds colours, 8 bits each.
+    """
     source = as_source(surface)
     view = new_view(camera, pixels, background)
     display = simple.Show(source, view)
-    display.InterpolateScalarsBeforeMapping = 1
     display.Ambient, display.Diffuse, display.Specular = 1.0, 0.0, 0.0
-    colour_by(display, array, scale)
-    shown = [display] + (show_lines(source, view, array, scale) if scale.line_every else [])
+    shown = [display]
+    if scale is None:
+        simple.ColorBy(display, ("POINTS", array))
+        display.MapScalars = 0
+    else:
+        display.InterpolateScalarsBeforeMapping = 1
+        colour_by(display, array, scale)
+        shown += show_lines(source, view, array, scale) if scale.line_every else []
     with tempfile.TemporaryDirectory() as folder:
         file = str(Path(folder) / "view.png")
         simple.SaveScreenshot(file, view, ImageResolution=view.ViewSize)

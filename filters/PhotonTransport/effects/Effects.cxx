@@ -107,13 +107,13 @@ std::vector<std::string> LampReasons(const Lighting& lighting)
   const std::size_t lamps = lighting.luminaires.size();
   const auto line = [&](const char* effect, std::size_t count, const char* what)
   {
-    return count > 0 ? Line(effect, ": on, ", count, " of ", lamps, " lamps: ", what)
-                     : Line(effect, ": off, none of ", lamps, " lamps: ", what);
+    return count > 0 ? Line(effect, ": on, ", count, " of ", lamps, " lamps")
+                     : Line(effect, ": off, none of ", lamps, " lamps ", what);
   };
-  return { line("area lamps", counts.area, "an area or a line that shines"),
-    line("photometric lamps", counts.photometric, "the intensities of a photometric file"),
-    line("sky", counts.sky, "a sky"),
-    line("choice between lamps", lamps > 1 ? lamps : 0, "one of several") };
+  return { line("area lamps", counts.area, "shines from an area or a line"),
+    line("photometric lamps", counts.photometric, "has the intensities of a photometric file"),
+    line("sky", counts.sky, "is a sky"),
+    line("choice between lamps", lamps > 1 ? lamps : 0, "is one of several") };
 }
 
 } // namespace
