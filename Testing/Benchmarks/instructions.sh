@@ -22,7 +22,10 @@ per_photon() {
 }
 
 more() {
-  awk "BEGIN { more = 100 * ($1 / $2 - 1); printf more > -0.05 && more < 0.05 ? \"0.0\" : \"%+.1f\", more }"
+  awk -v now="$1" -v before="$2" 'BEGIN {
+    more = 100 * (now / before - 1)
+    printf "%+.1f", (more > -0.05 && more < 0.05 ? 0 : more)
+  }'
 }
 
 scenes() {

@@ -2,13 +2,13 @@
 """The figure: for each scene and effect the rate, the time, and what leaving it out does."""
 
 import matplotlib
-import numpy as np
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402  (the backend comes first)
 
 INK, FAINT, GRID = "#202020", "#909090", "#e4e4e4"
-WHOLE, WITHOUT, CHANGE = "#202020", "#0060a8", "#c05000"
+WITHOUT, BAND, PALE, CHANGE = "#0060a8", "#a8c8e8", "#b8d0e4", "#c05000"
+LEAST = 1e-6  # %: less is rounding
 GAP = 0.9  # rows between two scenes
 
 
@@ -21,21 +21,27 @@ def places(rows):
     return heights
 
 
-def dots(axes, rows, heights, heading):
-    """A dot for each row with its quartiles, and a line down from the whole scene's."""
+def change_text(change, error):
+    """The change in percent, or what it is below where it is within twice its standard error."""
+    if change < LEAST:
+        return "0"
+    return f"< {2.0 * error:.1g}" if change < 2.0 * error else f"{change:.2g}"
+
+
+def gains(axes, rows, heights, heading, absolute, form):
+    """A dot for each effect with its quartiles, and in a scene's first row what it takes."""
+    axes.axvline(0.0, color=FAINT, linewidth=0.9, zorder=1)
     for row, y in zip(rows, heights):
-        whole = row["Without"] == "nothing"
-        value = row[heading]
-        if whole:
-            last = max(i for i, other in enumerate(rows) if other["Scene"] == row["Scene"])
-            axes.plot([value] * 2, [y, heights[last] - 0.3], color=GRID, linewidth=1.4, zorder=0)
-            reference = value
-        else:
-            axes.plot([reference, value], [y, y], color="#a8c8e0", linewidth=1.6, zorder=1)
-        colour = WHOLE if whole else WITHOUT
-        axes.plot([row[heading + " low"], row[heading + " high"]], [y, y], color=colour, linewidth=3.2, alpha=0.35, solid_capstyle="butt", zorder=2)
-        axes.plot(value, y, "o", color=colour, markersize=5.5, zorder=3)
-    axes.set_xlim(left=0.0)
+        if row["Without"] == "nothing":
+            paper = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}
+            style = {"fontsize": 9.5, "color": INK, "va": "center", "bbox": paper}
+            axes.annotate(form.format(row[absolute]), (0.0, y), xytext=(6, 0),
+                          textcoords="offset points", **style)  # fmt: skip
+            continue
+        ends = [row[heading + " low"], row[heading + " high"]]
+        axes.plot([0.0, row[heading]], [y, y], color=PALE, linewidth=1.4, zorder=2)
+        axes.plot(ends, [y, y], color=BAND, linewidth=6.0, solid_capstyle="butt", zorder=3)
+        axes.plot(row[heading], y, "o", color=WITHOUT, markersize=5.5, zorder=4)
 
 
 def bars(axes, rows, heights):
@@ -44,19 +50,21 @@ def bars(axes, rows, heights):
         if row["Without"] == "nothing":
             continue
         change, error = row["Change, %"], row["Its standard error"]
-        sure = change >= 2.0 * error
-        axes.barh(y, change if sure else 0.0, 0.55, color=CHANGE)
-        text = f"{change:.2g} %" if sure else f"< {2.0 * error:.1g} %"
+        length = change if change >= max(2.0 * error, LEAST) else 0.0
+        axes.barh(y, length, 0.5, color=CHANGE)
         flux = row["Flux switched off, lm"]
+        text = change_text(change, error)
         text += f"   ({flux:.0f} lm not followed)" if flux >= 0.5 else ""
-        axes.annotate(text, (change if sure else 0.0, y), xytext=(5, 0), textcoords="offset points", va="center", fontsize=9, color=INK)
-    axes.set_xlim(0.0, 1.0 * max(row["Change, %"] for row in rows))
+        axes.annotate(text, (length, y), xytext=(5, 0), textcoords="offset points",
+                      va="center", fontsize=9, color=INK)  # fmt: skip
+    axes.set_xlim(0.0, 1.45 * max(row["Change, %"] for row in rows))
 
 
-def frame(axes, title):
+def frame(axes, title, grid=True):
     """Grid and ticks of one panel."""
     axes.set_title(title, loc="left", fontsize=11, color=INK, pad=8)
-    axes.grid(True, axis="x", color=GRID, linewidth=0.7)
+    if grid:
+        axes.grid(True, axis="x", color=GRID, linewidth=0.7)
     axes.set_axisbelow(True)
     axes.tick_params(axis="y", length=0)
     axes.tick_params(axis="x", colors=INK, labelsize=9.5)
@@ -81,20 +89,22 @@ def label_rows(axes, rows, heights):
 def draw(path, rows):
     """Three panels that share their rows."""
     heights = places(rows)
-    size = (14.5, 1.4 + 0.245 * -heights[-1])
+    size = (14.5, 1.7 + 0.25 * -heights[-1])
     figure, panels = pyplot.subplots(1, 3, figsize=size, dpi=100, sharey=True)
-    top = 1.0 - 0.75 / size[1]
+    top = 1.0 - 0.9 / size[1]
     figure.subplots_adjust(left=0.2, right=0.985, top=top, bottom=0.45 / size[1], wspace=0.08)
-    dots(panels[0], rows, heights, "Million segments/s")
-    dots(panels[1], rows, heights, "Seconds to 2 %")
+    gains(panels[0], rows, heights, "Rate gained, %", "Million segments/s", "{:.2f} million/s")
+    gains(panels[1], rows, heights, "Time saved, %", "Seconds to 2 %", "{:.2f} s")
     bars(panels[2], rows, heights)
-    frame(panels[0], "Million photon segments a second")
-    frame(panels[1], "Seconds to a relative error of 2 %")
-    frame(panels[2], "Change of the illuminance by leaving it out, % of the mean (RMS)")
+    frame(panels[0], "Photon segments a second: gain, %")
+    frame(panels[1], "Time to a relative error of 2 %: saved, %")
+    frame(panels[2], "Illuminance: RMS change, % of the mean", grid=False)
     label_rows(panels[0], rows, heights)
     panels[0].set_ylim(heights[-1] - 0.8, heights[0] + 0.8)
-    key = "black: all that the scene calls for;  blue: without one effect;  bands: quartiles"
-    figure.text(0.2, 1.0 - 0.28 / size[1], key, fontsize=9.5, color=FAINT)
+    heading = "What it gains, and what it changes, to leave out an effect that a scene calls for"
+    figure.text(0.012, 1.0 - 0.32 / size[1], heading, fontsize=14, fontweight="bold", color=INK)
+    key = "dots: medians of pairs; bands: quartiles"
+    figure.text(0.985, 1.0 - 0.3 / size[1], key, fontsize=10, color=FAINT, ha="right")
     figure.savefig(path)
     pyplot.close(figure)
     print(f"Picture: {path}", flush=True)

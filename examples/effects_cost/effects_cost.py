@@ -18,111 +18,82 @@ sys.path[:0] = [str(HERE), str(HERE.parent / "common")]
 
 import tables  # noqa: E402
 from accuracy import accuracy, point_areas  # noqa: E402
-from chart import draw  # noqa: E402
-from furnished_room import Pipeline, rooms  # noqa: E402
-from illumination import IlluminationMap, facts_of, load_plugin, texts  # noqa: E402
+from chart import change_text, draw  # noqa: E402
+from furnished_room import SWITCHES, Pipeline, rooms  # noqa: E402
+from illumination import IlluminationMap, facts_of, load_plugin  # noqa: E402
 
-PHOTONS = 400_000  # of each measurement of a rate
 TARGET = 0.02
-MOST_PHOTONS = 2_000_000_000
-# What the lines of the field array Effects begin with -> the properties that leave the effect out.
-SWITCHES = {
-    "compensation": {"Registration": "Flat"},
-    "interreflection": {"Interreflection": 0},
-    "specular reflection": {"SpecularReflection": 0},
-    "glossy reflection": {"GlossyReflection": 0},
-    "diffuse transmission": {"DiffuseTransmission": 0},
-    "clear transmission": {"ClearTransmission": 0},
-    "refraction": {"Refraction": 0},
-    "colour": {"Colour": 0},
-}
+MOST_PHOTONS = 2_000_000_000  # the target comes first
+NONE = "nothing"
 
 
 def run(pipeline, **properties):
-    """The illumination map, and the lines of its array Effects."""
+    """The illumination map."""
     proxy = pipeline.map(**properties)
     proxy.UpdatePipeline()
     result = servermanager.Fetch(proxy)
     simple.Delete(proxy)
     if result.GetPointData().GetArray("Illuminance") is None:
         raise RuntimeError("IlluminationMap has failed; its message is above")
-    return IlluminationMap(result, facts_of(result)), texts(result, "Effects")
+    return IlluminationMap(result, facts_of(result))
 
 
-def variants(pipeline):
-    """What is left out -> properties, first nothing; only what the scene calls for."""
-    lines = run(pipeline, Photons=1000)[1]
-    called = {line.split(":")[0] for line in lines if ": on" in line}
-    found = {name: switch for name, switch in SWITCHES.items() if name in called}
-    if pipeline.properties.get("LampContributions"):
-        found["lamps kept apart"] = {"LampContributions": 0}
-    return {"nothing": {}, **found}
+def pairs(pipeline, switch, repetitions):
+    """Maps with the error asked for, whole and without an effect: each first every other time."""
+    maps = {NONE: [], "without": []}
+    for seed in range(repetitions + 1):  # the first to warm up
+        both = [(NONE, {}), ("without", switch)]
+        for name, properties in both if seed % 2 == 0 else reversed(both):
+            settings = {"Photons": MOST_PHOTONS, "TargetRelativeError": TARGET, "Seed": seed}
+            maps[name].append(run(pipeline, **settings, **properties))
+    return maps[NONE][1:], maps["without"][1:]
 
 
-def in_turn(choices, repetitions, measure):
-    """name -> what measure(properties, repetition) gave; forwards and backwards in turn."""
-    results = {name: [] for name in choices}
-    for repetition in range(repetitions):
-        order = list(choices.items())
-        for name, properties in order if repetition % 2 == 0 else reversed(order):
-            results[name].append(measure(properties, repetition))
-    return results
-
-
-def change_of(without, whole):
+def change_of(whole, without):
     """RMS change of the illuminance and its standard error, % of the mean; noise taken out."""
     areas = point_areas(whole[0].surface)
-    maps = np.array([m.array() for m in without]) - np.array([m.array() for m in whole])
-    mean = np.mean([m.array() for m in whole], axis=0)
-    result = accuracy(maps + mean, mean, areas)
+    before, after = (np.array([m.array() for m in maps]) for maps in (whole, without))
+    mean = before.mean(axis=0)
+    result = accuracy(after - before + mean, mean, areas)
     to_percent = 100.0 * mean.max() / np.average(mean, weights=areas)
     return to_percent * result.rms, to_percent * result.rms_error
 
 
-def spread(values):
-    """Median and quartiles."""
-    return np.quantile(values, [0.5, 0.25, 0.75])
+def facts(maps, name):
+    """One fact of all maps."""
+    return np.array([m.facts[name] for m in maps])
 
 
-def row_of(title, name, rates, maps):
-    """What is told about a scene without an effect."""
-    rate = np.array(rates[name])
-    seconds = np.array([m.facts["Seconds"] for m in maps[name]])
-    whole = np.array([m.facts["Seconds"] for m in maps["nothing"]])
-    flux = maps[name][-1].facts["FluxSwitchedOff"]
+def with_spread(row, heading, values):
+    """Adds the median and the quartiles."""
+    names = (heading, heading + " low", heading + " high")
+    row.update(zip(names, np.quantile(values, [0.5, 0.25, 0.75]).tolist()))
+
+
+def row_of(title, name, whole, without):
+    """What is told about a scene without an effect; both are maps, pair by pair."""
     row = {"Scene": title, "Without": name}
-    for heading, numbers in (
-        ("Million segments/s", rate),
-        ("Rate gained, %", 100.0 * (rate / np.array(rates["nothing"]) - 1.0)),
-        ("Seconds to 2 %", seconds),
-        ("Time saved, %", 100.0 * (1.0 - seconds / whole)),
-    ):
-        middle, low, high = spread(numbers)
-        row.update({heading: middle, heading + " low": low, heading + " high": high})
-    row["Flux switched off, lm"] = flux
-    row["Change, %"], row["Its standard error"] = change_of(maps[name], maps["nothing"])
+    rates = facts(without, "SegmentsPerSecond") * 1e-6
+    seconds = facts(without, "Seconds")
+    quotients = rates / facts(whole, "SegmentsPerSecond") * 1e6
+    with_spread(row, "Million segments/s", rates)
+    with_spread(row, "Rate gained, %", 100.0 * (quotients - 1.0))
+    with_spread(row, "Seconds to 2 %", seconds)
+    with_spread(row, "Time saved, %", 100.0 * (1.0 - seconds / facts(whole, "Seconds")))
+    row["Flux switched off, lm"] = facts(without, "FluxSwitchedOff")[-1]
+    row["Change, %"], row["Its standard error"] = change_of(whole, without)
     return row
 
 
 def measure(room, repetitions):
     """Rows of a scene: with all it calls for, then without one effect after the other."""
+    rows, all_whole = [], []
     with Pipeline(room) as pipeline:
-        choices = variants(pipeline)
-        rates = in_turn(
-            choices,
-            repetitions,
-            lambda properties, _: run(pipeline, Photons=PHOTONS, **properties)[0].facts[
-                "SegmentsPerSecond"
-            ]
-            * 1e-6,
-        )
-        goal = {"Photons": MOST_PHOTONS, "TargetRelativeError": TARGET}
-        maps = in_turn(
-            choices,
-            repetitions,
-            lambda properties, seed: run(pipeline, Seed=seed + 1, **goal, **properties)[0],
-        )
-    return [row_of(room.title, name, rates, maps) for name in choices]
+        for effect in room.effects:
+            whole, without = pairs(pipeline, SWITCHES[effect], repetitions)
+            rows.append(row_of(room.title, effect, whole, without))
+            all_whole += whole
+    return [row_of(room.title, NONE, all_whole, all_whole), *rows]
 
 
 def with_quartiles(row, heading):
@@ -133,9 +104,8 @@ def with_quartiles(row, heading):
 
 def short(row):
     """A row for the reader."""
-    whole = row["Without"] == "nothing"
+    whole = row["Without"] == NONE
     change, error = row["Change, %"], row["Its standard error"]
-    certain = f"< {tables.text(2.0 * error, 2)}" if change < 2.0 * error else tables.text(change, 2)
     return {
         "Scene": row["Scene"] if whole else "",
         "Without": row["Without"],
@@ -144,7 +114,7 @@ def short(row):
         "Seconds to 2 %": with_quartiles(row, "Seconds to 2 %"),
         "Time saved, %": "" if whole else with_quartiles(row, "Time saved, %"),
         "Flux switched off, lm": tables.text(row["Flux switched off, lm"]),
-        "RMS change, % of the mean": "" if whole else certain,
+        "RMS change, % of the mean": "" if whole else change_text(change, error),
     }
 
 
@@ -154,7 +124,7 @@ def main(output, options):
     if not options.redraw:
         load_plugin()
         rows = []
-        for room in rooms().values():
+        for room in rooms():
             rows += measure(room, 3 if options.quick else 7)
             print(room.title, flush=True)
         tables.write_csv(rows, file)

@@ -19,8 +19,20 @@ from scenes import wall, with_cell_value  # noqa: E402
 FLOOR, END, WALLS, BALL, SHADE, SCREEN = range(6)  # values of the cell array Part
 LAMP = (-1.0, 0.0, 0.3)
 SHADE_RADIUS, SHADE_HEIGHT = 0.25, 0.4
-GREY_WALLS = {WALLS: {"Preset": "White Paint"}, FLOOR: {"Preset": "Mid Grey"}}
-CHAIN = {
+# Effects -> the properties of Illumination Map that leave them out.
+SWITCHES = {
+    "compensation": {"Registration": "Flat"},
+    "interreflection": {"Interreflection": 0},
+    "colour": {"Colour": 0},
+    "specular reflection": {"SpecularReflection": 0},
+    "glossy reflection": {"GlossyReflection": 0},
+    "diffuse transmission": {"DiffuseTransmission": 0},
+    "clear transmission": {"ClearTransmission": 0},
+    "refraction": {"Refraction": 0},
+    "lamps kept apart": {"LampContributions": 0},
+}
+PAINT = {WALLS: {"Preset": "White Paint"}, FLOOR: {"Preset": "Mid Grey"}}
+FURNISHINGS = {
     "colour": {
         FLOOR: {"Preset": "Wood"},
         END: {"DiffuseReflectance": [0.6, 0.1, 0.08]},
@@ -44,8 +56,9 @@ class Room:
     """What Illumination Map is given."""
 
     title: str
-    materials: dict  # part -> properties of Surface Material, besides GREY_WALLS
-    lamps: list = field(default_factory=list)  # properties of Luminaires besides the one in the shade
+    effects: tuple  # those it is there to show: lines of the array Effects, up to the colon
+    materials: dict  # part -> properties of Surface Material, besides PAINT
+    lamps: list = field(default_factory=list)  # properties of Luminaires besides the shade's
     properties: dict = field(default_factory=dict)  # of Illumination Map
 
 
@@ -54,8 +67,8 @@ def ball():
     source = vtk.vtkSphereSource()
     source.SetCenter(0.6, 0.0, -0.5)
     source.SetRadius(0.5)
-    source.SetThetaResolution(64)
-    source.SetPhiResolution(33)
+    source.SetThetaResolution(48)
+    source.SetPhiResolution(25)
     source.Update()
     return source.GetOutput()
 
@@ -103,7 +116,7 @@ class Pipeline:
 
     def __init__(self, room):
         self.proxies = [as_source(surface())]
-        for part, properties in {**GREY_WALLS, **room.materials}.items():
+        for part, properties in {**PAINT, **room.materials}.items():
             self.proxies.append(
                 simple.SurfaceMaterial(
                     Input=self.proxies[-1], CellArray="Part", CellValue=float(part), **properties
@@ -129,7 +142,7 @@ class Pipeline:
 
 
 def rooms():
-    """Name -> Room, from the plainest on."""
+    """All rooms, from the plainest on."""
     spot = {
         "LuminaireName": "spot",
         "Type": "Spot",
@@ -146,15 +159,23 @@ def rooms():
         "Size": [1.5, 1.0],
         "LuminousFlux": 600.0,
     }
-    ends = {**CHAIN["colour"], **CHAIN["shade"], **CHAIN["glass"]}
-    everything = {**ends, END: CHAIN["metal"][END], WALLS: {"Preset": "Aluminium"}}
-    return {
-        "paint": Room("White and grey paint", {}),
-        "colour": Room("Wooden floor, red wall", CHAIN["colour"]),
-        "metal": Room("Mirror wall, aluminium ball", CHAIN["metal"]),
-        "shade": Room("Fabric lamp shade", CHAIN["shade"]),
-        "glass": Room("Glass screen, ball of solid glass", CHAIN["glass"]),
-        "everything": Room(
-            "All of it, three lamps", everything, [spot, tube], {"LampContributions": 1}
+    everything = {**FURNISHINGS["colour"], **FURNISHINGS["shade"], **FURNISHINGS["glass"]}
+    everything.update({END: {"Preset": "Mirror"}, WALLS: {"Preset": "Aluminium"}})
+    return [
+        Room("White and grey paint", ("compensation", "interreflection"), {}),
+        Room("Wooden floor, red wall", ("colour",), FURNISHINGS["colour"]),
+        Room(
+            "Mirror wall, aluminium ball",
+            ("specular reflection", "glossy reflection"),
+            FURNISHINGS["metal"],
         ),
-    }
+        Room("Fabric lamp shade", ("diffuse transmission",), FURNISHINGS["shade"]),
+        Room("Glass screen, glass ball", ("clear transmission", "refraction"), FURNISHINGS["glass"]),
+        Room(
+            "All of it, three lamps",
+            tuple(SWITCHES),
+            everything,
+            [spot, tube],
+            {"LampContributions": 1},
+        ),
+    ]
