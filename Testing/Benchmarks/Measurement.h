@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/effects/Effects.h"
 #include "PhotonTransport/transport/PhotonTracer.h"
 #include "PhotonTransport/transport/Walk.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 /// What the benchmarks share.
@@ -22,11 +24,84 @@ double Seconds(const Work& work)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-inline double Median(std::vector<double> values)
+/// Million photon segments a second.
+inline double TraceRate(PhotonTransport::PhotonTracer& tracer, std::uint64_t blocks)
 {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  PhotonTransport::IlluminationSums sums = tracer.EmptySums();
+  PhotonTransport::LightLayers layers = tracer.EmptyLayers();
+  const double seconds = Seconds([&] { tracer.Trace(0, 0, blocks, sums, {}, &layers); });
+  return static_cast<double>(sums.balance.segments) / seconds * 1e-6;
+}
+
+inline double Quantile(std::vector<double> values, double share)
+{
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+}
+
+inline double Median(const std::vector<double>& values)
+{
+  return Quantile(values, 0.5);
+}
+
+/// What repeated measurements say; the quartiles tell how quiet the machine was.
+struct Spread
+{
+  explicit Spread(const std::vector<double>& values)
+    : median(Median(values))
+    , low(Quantile(values, 0.25))
+    , high(Quantile(values, 0.75))
+  {
+  }
+
+  double median, low, high;
+};
+
+/// Repetition by repetition.
+inline std::vector<double> Quotients(
+  const std::vector<double>& rates, const std::vector<double>& references)
+{
+  std::vector<double> quotients;
+  for (std::size_t i = 0; i < rates.size(); ++i)
+  {
+    quotients.push_back(rates[i] / references[i]);
+  }
+  return quotients;
+}
+
+/// What is lost by one in place of the other, % of the other's rate.
+inline Spread CostOf(const std::vector<double>& rates, const std::vector<double>& references)
+{
+  std::vector<double> costs = Quotients(rates, references);
+  for (double& cost : costs)
+  {
+    cost = 100.0 * (1.0 - cost);
+  }
+  return Spread(costs);
+}
+
+/// Something that works once and says at which rate.
+using RateOf = std::function<double()>;
+
+/// Rates of several things that are measured in turn, forwards and backwards, so that what else
+/// the machine does falls on all of them: [thing][repetition].
+inline std::vector<std::vector<double>> MeasureInTurn(
+  const std::vector<RateOf>& things, int repetitions)
+{
+  std::vector<std::vector<double>> rates(things.size());
+  for (int repetition = -1; repetition < repetitions; ++repetition) // the first to warm up
+  {
+    for (std::size_t i = 0; i < things.size(); ++i)
+    {
+      const std::size_t thing = repetition % 2 == 0 ? i : things.size() - 1 - i;
+      const double rate = things[thing]();
+      if (repetition >= 0)
+      {
+        rates[thing].push_back(rate);
+      }
+    }
+  }
+  return rates;
 }
 
 /// Photon segments in the order in which single photons fly them.
@@ -49,18 +124,47 @@ struct KeepHit
   }
 };
 
+/// One photon's segments, from emission to end.
+template <PhotonTransport::Walk Kind>
+void RecordPhoton(const PhotonTransport::WalkSettings& walk,
+  const PhotonTransport::PhotonSample& sample, std::vector<Segment>& segments)
+{
+  const PhotonTransport::Emission emission = walk.source.Emit(sample);
+  PhotonTransport::Flight flight{ sample.Scatterings(), 0,
+    { emission.lamp, static_cast<std::uint16_t>(emission.channel), true } };
+  PhotonTransport::Ray next = emission.ray;
+  PhotonTransport::PhotonBalance balance;
+  Segment segment;
+  bool goesOn = true;
+  while (goesOn)
+  {
+    segment.ray = next;
+    walk.scene.Intersect(&segment.ray, &segment.hit, 1);
+    goesOn =
+      PhotonTransport::Arrive<Kind>(flight, next, segment.hit, walk, KeepHit{ segment }, balance);
+    segments.push_back(segment);
+  }
+}
+
 /// The segments that the tracer flies, photon by photon.
 inline std::vector<Segment> RecordSegments(const PhotonTransport::Scene& scene,
-  const PhotonTransport::Lamp& lamp, const PhotonTransport::TraceSettings& settings,
+  const PhotonTransport::Lighting& lighting, const PhotonTransport::TraceSettings& settings,
   std::uint64_t photons)
 {
-  const PhotonTransport::Emitter emitter(lamp, scene);
+  const PhotonTransport::Effects effects =
+    PhotonTransport::AnalyseEffects(scene, lighting, settings);
+  const PhotonTransport::Emitter emitter(lighting, scene, effects.colour);
   const PhotonTransport::SequenceKey key{ settings.seed, 0, settings.sampling };
-  const PhotonTransport::FacetRoulettes none; // diffuse reflection only
-  const PhotonTransport::WalkSettings walk{ scene, none, emitter, key, settings.maximumPathLength,
-    settings.scatterings };
+  PhotonTransport::FacetRoulettes materials{ {}, scene.MaterialOfFacet() };
+  for (const PhotonTransport::Material& material : scene.Materials())
+  {
+    materials.roulettes.push_back(PhotonTransport::MakeRoulette(material, effects.colouredFacets));
+  }
+  const PhotonTransport::WalkSettings walk{ scene, materials, emitter, key,
+    settings.maximumPathLength, effects.simulated };
+  const auto record = materials.roulettes.empty() ? RecordPhoton<PhotonTransport::Walk::Diffuse>
+                                                  : RecordPhoton<PhotonTransport::Walk::General>;
   std::vector<Segment> segments;
-  PhotonTransport::PhotonBalance balance;
   PhotonTransport::PhotonSample sample(key, 0);
   for (std::uint64_t photon = 0; photon < photons; ++photon, sample.Advance())
   {
@@ -76,17 +180,18 @@ inline std::vector<Segment> RecordSegments(const PhotonTransport::Scene& scene,
         flight, next, segment.hit, walk, KeepHit{ segment }, balance);
       segments.push_back(segment);
     }
+    record(walk, sample, segments);
   }
   return segments;
 }
 
 /// Only the rays of RecordSegments.
 inline std::vector<PhotonTransport::Ray> RecordRays(const PhotonTransport::Scene& scene,
-  const PhotonTransport::Lamp& lamp, const PhotonTransport::TraceSettings& settings,
+  const PhotonTransport::Lighting& lighting, const PhotonTransport::TraceSettings& settings,
   std::uint64_t photons)
 {
   std::vector<PhotonTransport::Ray> rays;
-  for (const Segment& segment : RecordSegments(scene, lamp, settings, photons))
+  for (const Segment& segment : RecordSegments(scene, lighting, settings, photons))
   {
     rays.push_back(segment.ray);
   }

@@ -12,10 +12,8 @@
 
 #include "PhotonTransport/transport/IlluminationRun.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,16 +29,9 @@ constexpr std::uint64_t Blocks = 1000; // of each measurement but those of whole
 struct Variant
 {
   std::string name;
-  std::size_t reference;                   ///< Index of the variant that costs 0 %.
-  std::function<double()> millionSegments; ///< Works once; millions of segments a second.
+  std::size_t reference;               ///< Index of the variant that costs 0 %.
+  Measurement::RateOf millionSegments; ///< Millions of segments a second.
 };
-
-double TraceRate(PhotonTracer& tracer, std::uint64_t blocks)
-{
-  IlluminationSums sums = tracer.EmptySums();
-  const double seconds = Measurement::Seconds([&] { tracer.Trace(0, 0, blocks, sums); });
-  return static_cast<double>(sums.balance.segments) / seconds * 1e-6;
-}
 
 /// The variants that trace the same blocks with other settings; the first is the default.
 std::vector<Variant> Tracers(const Scene& scene, const Lamp& lamp, const TraceSettings& usual)
@@ -56,7 +47,7 @@ std::vector<Variant> Tracers(const Scene& scene, const Lamp& lamp, const TraceSe
   const auto variant = [&](const char* name, const TraceSettings& settings)
   {
     auto tracer = std::make_shared<PhotonTracer>(scene, lamp, settings);
-    return Variant{ name, 0, [tracer] { return TraceRate(*tracer, Blocks); } };
+    return Variant{ name, 0, [tracer] { return Measurement::TraceRate(*tracer, Blocks); } };
   };
   return { variant("VertexNormalised, Sobol, front only", usual),
     variant("Flat registration instead", flat), variant("FacetRatio registration instead", ratio),
@@ -74,7 +65,7 @@ void AddRuns(std::vector<Variant>& variants, const Scene& scene, const Lamp& lam
   auto tracer = std::make_shared<PhotonTracer>(scene, lamp, settings);
   const std::string photons = std::to_string(millions) + " M photons, ";
   variants.push_back({ photons + "one sequence, no statistics", variants.size(),
-    [tracer, blocks] { return TraceRate(*tracer, blocks); } });
+    [tracer, blocks] { return Measurement::TraceRate(*tracer, blocks); } });
   const auto run = [&scene, lamp, settings, blocks]
   {
     IlluminationRun whole(scene, lamp, settings);
@@ -103,46 +94,14 @@ void AddEmbree(std::vector<Variant>& variants, const Scene& scene, const Lamp& l
   }
 }
 
-double Quantile(std::vector<double> values, double share)
+void PrintCost(const Variant& variant, const Variant& reference, int repetitions)
 {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
-}
-
-/// Rates of a variant and of its reference, pair by pair.
-struct Rates
-{
-  std::vector<double> own, reference;
-};
-
-Rates MeasurePairs(const Variant& variant, const Variant& reference, int repetitions)
-{
-  Rates rates;
-  for (int repetition = -1; repetition < repetitions; ++repetition) // the first to warm up
-  {
-    const bool ownFirst = repetition % 2 == 0;
-    double own = ownFirst ? variant.millionSegments() : 0.0;
-    const double other = reference.millionSegments();
-    own = ownFirst ? own : variant.millionSegments();
-    if (repetition >= 0)
-    {
-      rates.own.push_back(own);
-      rates.reference.push_back(other);
-    }
-  }
-  return rates;
-}
-
-void PrintCost(const Variant& variant, const Variant& reference, const Rates& rates)
-{
-  std::vector<double> costs;
-  for (std::size_t i = 0; i < rates.own.size(); ++i)
-  {
-    costs.push_back(100.0 * (1.0 - rates.own[i] / rates.reference[i]));
-  }
+  const auto rates =
+    Measurement::MeasureInTurn({ variant.millionSegments, reference.millionSegments }, repetitions);
+  const Measurement::Spread cost = Measurement::CostOf(rates[0], rates[1]);
   std::printf("| %s | %s | %.2f | %.2f | %+.1f | %+.1f to %+.1f |\n", variant.name.c_str(),
-    reference.name.c_str(), Measurement::Median(rates.own), Measurement::Median(rates.reference),
-    Measurement::Median(costs), Quantile(costs, 0.25), Quantile(costs, 0.75));
+    reference.name.c_str(), Measurement::Median(rates[0]), Measurement::Median(rates[1]),
+    cost.median, cost.low, cost.high);
   std::fflush(stdout);
 }
 
@@ -166,7 +125,7 @@ void Measure(int triangles, int threads, int repetitions)
     const Variant& reference = variants[variants[v].reference];
     if (&reference != &variants[v])
     {
-      PrintCost(variants[v], reference, MeasurePairs(variants[v], reference, repetitions));
+      PrintCost(variants[v], reference, repetitions);
     }
   }
 }
