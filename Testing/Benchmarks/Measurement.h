@@ -168,18 +168,6 @@ inline std::vector<Segment> RecordSegments(const PhotonTransport::Scene& scene,
   PhotonTransport::PhotonSample sample(key, 0);
   for (std::uint64_t photon = 0; photon < photons; ++photon, sample.Advance())
   {
-    PhotonTransport::Flight flight{ sample.Scatterings(), 0, {} };
-    Segment segment;
-    PhotonTransport::Ray next = emitter.Emit(sample).ray;
-    bool goesOn = true;
-    while (goesOn)
-    {
-      segment.ray = next;
-      scene.Intersect(&segment.ray, &segment.hit, 1);
-      goesOn = PhotonTransport::Arrive<PhotonTransport::Walk::Diffuse>(
-        flight, next, segment.hit, walk, KeepHit{ segment }, balance);
-      segments.push_back(segment);
-    }
     record(walk, sample, segments);
   }
   return segments;

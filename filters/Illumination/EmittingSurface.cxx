@@ -9,14 +9,17 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace
@@ -154,5 +157,9 @@ std::optional<Luminaire> ReadEmittingSurface(vtkPolyData* data)
     mesh.exitance.push_back(Luminous(colour));
     light += glm::length(AreaVector(mesh, mesh.facets[f])) * glm::dvec3(colour);
   }
-  return Luminaire{ std::move(mesh), {}, WithLargestOne(light) };
+  auto* name =
+    vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("LuminaireName"));
+  const bool named = name && name->GetNumberOfValues() > 0;
+  return Luminaire{ std::move(mesh), named ? std::string(name->GetValue(0)) : "",
+    WithLargestOne(light) };
 }
