@@ -35,7 +35,7 @@ namespace
 constexpr int Triangles = 20'000;
 constexpr std::uint64_t Blocks = 1000; // of each measurement of a rate
 constexpr double Target = 0.02;        // relative error
-constexpr int RunsToTarget = 5;
+constexpr int RunsToTarget = 3;
 
 const EffectScene& Named(const std::vector<EffectScene>& scenes, const std::string& name)
 {
@@ -73,29 +73,22 @@ struct Prepared
 struct Row
 {
   std::string scene, reference;
-  double rate;    ///< Million segments a second.
-  Spread cost;    ///< % of the reference's rate.
-  Spread saved;   ///< % of the time that the general walk takes.
-  Spread share;   ///< Of bare Embree's rate.
-  Spread seconds; ///< To the target.
-  double millionPhotons;
+  double rate;           ///< Million segments a second.
+  Spread cost;           ///< % of the reference's rate.
+  Spread saved;          ///< % of the time that the general walk takes.
+  Spread share;          ///< Of bare Embree's rate.
+  double seconds;        ///< Of tracing until the error is below the target.
+  double timesReference; ///< Over the reference's seconds.
 };
 
-/// Seconds of tracing until the error is below the target, and millions of photons.
-std::vector<double> SecondsToTarget(const Prepared& own, double& millionPhotons)
+double SecondsToTarget(const Prepared& prepared)
 {
-  std::vector<double> seconds;
-  for (int i = 0; i < RunsToTarget; ++i)
+  IlluminationRun run(prepared.scene, prepared.what.lighting, prepared.settings);
+  if (run.Advance({ 10'000'000'000, Target }) != StopReason::RelativeError)
   {
-    IlluminationRun run(own.scene, own.what.lighting, own.settings);
-    if (run.Advance({ 10'000'000'000, Target }) != StopReason::RelativeError)
-    {
-      throw std::runtime_error(own.what.name + " does not reach the target");
-    }
-    seconds.push_back(run.Seconds());
-    millionPhotons = static_cast<double>(run.Balance().emitted) * 1e-6;
+    throw std::runtime_error(prepared.what.name + " does not reach the target");
   }
-  return seconds;
+  return run.Seconds();
 }
 
 Row Measure(const EffectScene& scene, const EffectScene& other, int threads, int repetitions)
@@ -109,28 +102,31 @@ Row Measure(const EffectScene& scene, const EffectScene& other, int threads, int
   const auto bareRate = [&] {
     return static_cast<double>(rays.size()) / Measurement::Seconds([&] { bare.Replay(); }) * 1e-6;
   };
-
   const auto rates =
     Measurement::MeasureInTurn({ [&] { return own.Rate(); }, [&] { return reference.Rate(); },
                                  [&] { return general.Rate(); }, bareRate },
       repetitions);
-  double millionPhotons = 0.0;
-  const Spread seconds(SecondsToTarget(own, millionPhotons));
+  const auto seconds = Measurement::MeasureInTurn(
+    { [&] { return SecondsToTarget(own); }, [&] { return SecondsToTarget(reference); } },
+    RunsToTarget);
   return { scene.name, scene.reference, Measurement::Median(rates[0]),
     Measurement::CostOf(rates[0], rates[1]), Measurement::CostOf(rates[2], rates[0]),
-    Spread(Measurement::Quotients(rates[0], rates[3])), seconds, millionPhotons };
+    Spread(Measurement::Quotients(rates[0], rates[3])), Measurement::Median(seconds[0]),
+    Measurement::Median(Measurement::Quotients(seconds[0], seconds[1])) };
+}
+
+std::string Number(double value, const char* format)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
 }
 
 /// "5.2 (4.8 to 6.0)"
 std::string Text(const Spread& spread, const char* format)
 {
-  const auto number = [&](double value)
-  {
-    char text[32];
-    std::snprintf(text, sizeof text, format, value);
-    return std::string(text);
-  };
-  return number(spread.median) + " (" + number(spread.low) + " to " + number(spread.high) + ")";
+  return Number(spread.median, format) + " (" + Number(spread.low, format) + " to " +
+    Number(spread.high, format) + ")";
 }
 
 void PrintHead(const EffectScene& scene, int threads, int repetitions)
@@ -138,18 +134,19 @@ void PrintHead(const EffectScene& scene, int threads, int repetitions)
   std::printf("Room with sphere, %zu triangles; threads: %d; medians of %d, seconds of %d "
               "(quartiles)\n\n"
               "| scene | compared with | million segments/s | costs, %% of the rate | specialised "
-              "walk saves, %% of the time | of bare Embree's rate | seconds to %g %% | million "
-              "photons |\n|---|---|---|---|---|---|---|---|\n",
+              "walk saves, %% of the time | of bare Embree's rate | seconds to %g %% | times the "
+              "reference's |\n|---|---|---|---|---|---|---|---|\n",
     scene.surface.facets.size(), threads, repetitions, RunsToTarget, 100.0 * Target);
 }
 
 void Print(const Row& row)
 {
   const bool compared = row.scene != row.reference;
-  std::printf("| %s | %s | %.2f | %s | %s | %s | %s | %.1f |\n", row.scene.c_str(),
+  std::printf("| %s | %s | %.2f | %s | %s | %s | %.2f | %s |\n", row.scene.c_str(),
     compared ? row.reference.c_str() : "", row.rate,
     compared ? Text(row.cost, "%+.1f").c_str() : "", Text(row.saved, "%+.1f").c_str(),
-    Text(row.share, "%.2f").c_str(), Text(row.seconds, "%.2f").c_str(), row.millionPhotons);
+    Text(row.share, "%.2f").c_str(), row.seconds,
+    compared ? Number(row.timesReference, "%.2f").c_str() : "");
   std::fflush(stdout);
 }
 
@@ -157,19 +154,19 @@ void WriteCsv(const char* fileName, const std::vector<Row>& rows)
 {
   std::ofstream file(fileName);
   file << "scene,compared with,million segments/s";
-  for (const char* column : { "cost %", "saved %", "of bare Embree", "seconds to 2 %" })
+  for (const char* column : { "cost %", "saved %", "of bare Embree" })
   {
     file << ',' << column << ',' << column << " low," << column << " high";
   }
-  file << ",million photons\n";
+  file << ",seconds to 2 %,times the reference's\n";
   for (const Row& row : rows)
   {
     file << '"' << row.scene << "\",\"" << row.reference << "\"," << row.rate;
-    for (const Spread& spread : { row.cost, row.saved, row.share, row.seconds })
+    for (const Spread& spread : { row.cost, row.saved, row.share })
     {
       file << ',' << spread.median << ',' << spread.low << ',' << spread.high;
     }
-    file << ',' << row.millionPhotons << '\n';
+    file << ',' << row.seconds << ',' << row.timesReference << '\n';
   }
   file.close();
   if (!file)

@@ -57,7 +57,9 @@ def bars(axes, rows, heights):
         text += f"   ({flux:.0f} lm not followed)" if flux >= 0.5 else ""
         axes.annotate(text, (length, y), xytext=(5, 0), textcoords="offset points",
                       va="center", fontsize=9, color=INK)  # fmt: skip
-    axes.set_xlim(0.0, 1.45 * max(row["Change, %"] for row in rows))
+    longest = max(row["Change, %"] for row in rows)
+    axes.set_xlim(0.0, 1.75 * longest)  # room for the text
+    axes.set_xticks([tick for tick in axes.get_xticks() if tick <= 1.05 * longest])
 
 
 def frame(axes, title, grid=True):
