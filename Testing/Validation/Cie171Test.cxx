@@ -3,6 +3,7 @@
 #include "Comparison.h"
 #include "References.h"
 #include "Shapes.h"
+#include "TracedMap.h"
 #include "ValidationCase.h"
 
 #include <glm/geometric.hpp>
@@ -132,6 +133,16 @@ TEST_P(Interreflection, InACube)
   std::snprintf(name, sizeof(name), "5.8 interreflection in a cube, reflectance %.2f", rho);
   ExpectExact({ name, cube, PointLamp{ { 0.0, 0.0, 0.0 }, 1000.0 },
     { { rho * 1000.0 / (area * (1.0 - rho)), Everywhere(cube, 1.0 / area), true } }, 4e6 });
+}
+
+TEST(Cie171, BlackWallsReflectNothing)
+{
+  const Scene cube(Shapes::Box({ -2, -2, -2 }, { 2, 2, 2 }, 4, Facing::Inward));
+  const TracedMap map(cube, PointLamp{ { 0.0, 0.0, 0.0 }, 1000.0 }, {}, 100'000);
+  for (const double indirect : map.front.indirect)
+  {
+    EXPECT_EQ(indirect, 0.0);
+  }
 }
 
 // In a sphere the indirect light is the same everywhere, wherever the lamp is.
