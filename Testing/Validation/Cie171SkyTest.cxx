@@ -27,10 +27,12 @@ constexpr float Glass = 1.52f;
 const Rectangle Floor{ { -Half, -Half, 0 }, { 2 * Half, 0, 0 }, { 0, 2 * Half, 0 } };
 const Rectangle Wall{ { Half, -Half, 0 }, { 0, 0, Height }, { 0, 2 * Half, 0 } }; ///< Facing -x.
 
-/// Seen from no point of them through the openings, so that the cusp of the sky's luminance does
-/// not disturb the quadrature: it is behind the window and the wall, and lower than any light that
-/// comes by the roof to the floor, |y| / z <= 4 / 3.
+/// Seen from no point of floor and wall through the roof, so that the cusp of the sky's luminance
+/// does not disturb the quadrature: behind the wall, and lower than any light that comes by the
+/// roof to the floor, |y| / z <= 4 / 3.
 const glm::dvec3 Sun = glm::normalize(glm::dvec3(0.1, -1.5, 1.0));
+/// Before the window, to one side; what little of the floor sees it costs the quadrature 5e-7.
+const glm::dvec3 SideSun = glm::normalize(glm::dvec3(1.0, 0.5, 0.4));
 
 /// All of it a black surface, but for its last facets, which are clear glass.
 Surface WithGlass(const Surface& black, const Surface& pane)
@@ -122,7 +124,7 @@ TEST_P(EverySky, ThroughARoofOpening)
     { "5.9 roof opening" + number, room, sky, OfFloorAndWall(room, opening, luminance, 1.0), 6e6 });
   const Surface glazed = WithGlass(room, Pane(opening));
   ExpectExact({ "5.10 roof opening with glass" + number, glazed, sky,
-    OfFloorAndWall(glazed, opening, luminance, Glass), 6e6 });
+    Receiver(Floor).Quantities(glazed, opening, luminance, Glass), 4e6 });
 }
 
 TEST_P(EverySky, WithoutARoof)
@@ -135,10 +137,10 @@ TEST_P(EverySky, WithoutARoof)
   const std::string number = ", CIE sky " + std::to_string(type);
   const Receiver floor(Floor);
   ExpectExact(
-    { "5.9 no roof" + number, room, sky, floor.Quantities(room, opening, luminance, 1.0), 2e6 });
+    { "5.9 no roof" + number, room, sky, floor.Quantities(room, opening, luminance, 1.0), 1e6 });
   const Surface glazed = WithGlass(room, Pane(opening));
   ExpectExact({ "5.10 roof of glass" + number, glazed, sky,
-    floor.Quantities(glazed, opening, luminance, Glass), 2e6 });
+    floor.Quantities(glazed, opening, luminance, Glass), 1e6 });
 }
 
 // A window in the wall y = 2, with glass, without and with a black overhang at its upper edge.
@@ -149,11 +151,12 @@ protected:
   static constexpr double Depth = 0.5;
   const Rectangle Window{ { -1.0, Half, Sill }, { 2, 0, 0 }, { 0, 0, Top - Sill } };
   Surface Room = Shapes::RoomWithWindow(2.0 * Half, Height, { -1.0, Sill, 1.0, Top }, 4);
-  const CieSky Sky{ { 0, 0, 1 }, GetParam(), Sun, 10'000.0 };
-  const References::Luminance Luminance = References::CieSkyLuminance(GetParam(), Sun, 10'000.0);
+  const CieSky Sky{ { 0, 0, 1 }, GetParam(), SideSun, 10'000.0 };
+  const References::Luminance Luminance =
+    References::CieSkyLuminance(GetParam(), SideSun, 10'000.0);
   const std::string Number = ", CIE sky " + std::to_string(GetParam());
 };
-INSTANTIATE_TEST_SUITE_P(Cie171, Facade, testing::Values(1, 5, 12, 16),
+INSTANTIATE_TEST_SUITE_P(Cie171, Facade, testing::Values(1, 12),
   [](const auto& instance) { return "Type" + std::to_string(instance.param); });
 
 TEST_P(Facade, WithGlass)

@@ -170,7 +170,7 @@ TEST(Cie171, IntegratingSphere)
     quantities.push_back(std::move(zone));
   }
   ExpectExact({ "integrating sphere, eccentric lamp", sphere, PointLamp{ lamp, 1000.0 },
-    std::move(quantities), 4e6 });
+    std::move(quantities), 1e6 });
 }
 
 // E = pi L (1 + cos(tilt)) / 2 on a sphere below a uniform half sky.
