@@ -45,36 +45,41 @@ double Integral(const std::function<double(double)>& f, double from, double to)
   return boost::math::quadrature::gauss<double, 20>::integrate(f, from, to);
 }
 
-double FloorIntegral(double half, const Opening& opening, const Luminance& sky, double index,
-  const std::function<double(double x, double y)>& g,
-  const std::function<double(double y)>& upperEnd, double lastLit)
+double ReceiverIntegral(const Rectangle& receiver, const Rectangle& opening, const Luminance& sky,
+  double index, const std::function<double(const glm::dvec3& point)>& g,
+  const std::function<double(const glm::dvec3& point)>& end)
 {
-  // dE = L cos(at the floor) cos(at the opening) / distance^2 dA, times the sheet's transmittance.
-  const auto illuminance = [&](const glm::dvec3& p)
+  const glm::dvec3 receiverArea = glm::cross(receiver.u, receiver.v);
+  const glm::dvec3 openingArea = glm::cross(opening.u, opening.v);
+  const glm::dvec3 openingNormal = glm::normalize(openingArea);
+  // dE dA = L cos(at the receiver) cos(at the opening) / distance^2 dA dA, times the sheet's
+  // transmittance; the areas' lengths, cosines and distance are in the products.
+  const auto between = [&](const glm::dvec3& from, const glm::dvec3& to)
   {
-    const double end = upperEnd ? std::min(opening.v1, upperEnd(p.y)) : opening.v1;
-    const auto strip = [&](double v)
+    const glm::dvec3 ray = to - from;
+    const double distance2 = glm::dot(ray, ray);
+    const glm::dvec3 direction = ray / std::sqrt(distance2);
+    const double sheet =
+      index > 1.0 ? SheetTransmittance(std::fabs(glm::dot(direction, openingNormal)), index) : 1.0;
+    return sky(direction) * sheet *
+      std::fabs(glm::dot(direction, receiverArea) * glm::dot(direction, openingArea)) / distance2;
+  };
+  const auto at = [&](const glm::dvec3& p)
+  {
+    const auto strip = [&](double t)
     {
-      return Integral(
-        [&](double x)
-        {
-          const glm::dvec3 there =
-            opening.standing ? glm::dvec3(x, opening.height, v) : glm::dvec3(x, v, opening.height);
-          const glm::dvec3 ray = there - p;
-          const double distance2 = glm::dot(ray, ray);
-          const glm::dvec3 direction = ray / std::sqrt(distance2);
-          const double cosine = opening.standing ? direction.y : direction.z;
-          const double sheet = index > 1.0 ? SheetTransmittance(cosine, index) : 1.0;
-          return sky(direction) * direction.z * cosine / distance2 * sheet;
-        },
-        opening.x0, opening.x1);
+      return Integral([&](double s)
+        { return between(p, opening.corner + s * opening.u + t * opening.v); },
+        0.0, 1.0);
     };
-    return end > opening.v0 ? Integral(strip, opening.v0, end) : 0.0;
+    return g(p) * Integral(strip, 0.0, end ? std::clamp(end(p), 0.0, 1.0) : 1.0);
   };
-  const auto row = [&](double y) {
-    return Integral([&](double x) { return g(x, y) * illuminance({ x, y, 0.0 }); }, -half, half);
+  const auto row = [&](double t)
+  {
+    return Integral(
+      [&](double s) { return at(receiver.corner + s * receiver.u + t * receiver.v); }, 0.0, 1.0);
   };
-  return Integral(row, -half, std::min(half, lastLit));
+  return Integral(row, 0.0, 1.0);
 }
 
 Luminance CieSkyLuminance(int type, const glm::dvec3& sun, double horizontalIlluminance)
@@ -85,8 +90,8 @@ Luminance CieSkyLuminance(int type, const glm::dvec3& sun, double horizontalIllu
     return PhotonTransport::RelativeSkyLuminance(type, std::acos(std::clamp(direction.z, 0.0, 1.0)),
       sunAngle, std::acos(std::clamp(glm::dot(direction, sun), -1.0, 1.0)));
   };
-  // Of the relative luminance times cos(z) over the hemisphere. In polar coordinates about the sun
-  // the cusp there is at an end of the interval; what lies below the horizon is left out.
+  // Of the relative luminance times cos(z) over the hemisphere. The cusp at the sun is a corner of
+  // the pieces, which Gauss's points come closest to.
   const auto ring = [&](double zenithAngle)
   {
     const auto at = [&](double azimuth)
@@ -95,7 +100,7 @@ Luminance CieSkyLuminance(int type, const glm::dvec3& sun, double horizontalIllu
       return relative({ s * std::cos(azimuth), s * std::sin(azimuth), std::cos(zenithAngle) });
     };
     const double towardsSun = std::atan2(sun.y, sun.x);
-    // In pieces that end at the sun's azimuth and get finer towards it.
+    // In pieces that get finer towards the sun's azimuth; the other half is the same.
     double sum = 0.0;
     for (const auto& [from, to] :
       { std::pair(0.0, 0.05), std::pair(0.05, 0.4), std::pair(0.4, Pi) })

@@ -29,26 +29,22 @@ double SheetTransmittance(double cosine, double index);
 /// Integral over [from, to] by 20 Gauss-Legendre points.
 double Integral(const std::function<double(double)>& f, double from, double to);
 
-/// A flat opening in the xy plane at z = height, or with `standing` in the xz plane at y = height.
-struct Opening
+/// corner + s u + t v with s and t in [0, 1].
+struct Rectangle
 {
-  double x0, x1; ///< Along x.
-  double v0, v1; ///< Along y, or z if it is standing.
-  double height;
-  bool standing = false;
+  glm::dvec3 corner, u, v;
 };
 
 /// Luminance in a direction (unit, to the sky).
 using Luminance = std::function<double(const glm::dvec3&)>;
 
-/// Integral of g E over the floor [-half, half]^2 at z = 0 that gets light of a sky through an
-/// opening in an otherwise closed black room. @param index Of a clear sheet in the opening; 1:
-/// none.
-/// @param upperEnd Of the part of a standing opening that sees the sky from a point of the floor.
-/// @param lastLit From there on in y no part of it does.
-double FloorIntegral(double half, const Opening& opening, const Luminance& sky, double index,
-  const std::function<double(double x, double y)>& g,
-  const std::function<double(double y)>& upperEnd = {}, double lastLit = 1e9);
+/// Integral of g E over a receiver that gets light of a sky through an opening in an otherwise
+/// closed black room. @param index Of a clear sheet in the opening; 1: none.
+/// @param end How far in t the opening sees the sky from a point of the receiver; all of it if
+/// empty.
+double ReceiverIntegral(const Rectangle& receiver, const Rectangle& opening, const Luminance& sky,
+  double index, const std::function<double(const glm::dvec3& point)>& g,
+  const std::function<double(const glm::dvec3& point)>& end = {});
 
 /// The sky's luminance, cd/m^2, for a horizontal illuminance, lx; its integral by quadrature.
 /// @param sun Unit, to the sun; up is +z.

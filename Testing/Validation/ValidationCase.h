@@ -23,14 +23,19 @@ struct ValidationCase
   PhotonTransport::Surface surface;
   PhotonTransport::Lighting lighting;
   std::vector<Quantity> quantities;
-  double photons = 4e6; ///< Of all runs together.
+  double photons = 4e6; ///< Of all runs together, the first time.
   PhotonTransport::TraceSettings settings{};
 };
 
-/// Traces the case in independent runs and expects each quantity within 3 standard errors of what
-/// is exact, a standard error of at most 0.5 % of it, and all photons accounted for. Standard
-/// errors are those of the mean of 32 runs, so a correct tracer fails a quantity with a chance of
-/// 0.5 % (Student's t, 31 degrees of freedom). Records the case for the table.
+/// Traces the case in 32 independent runs and expects each quantity within 3 standard errors of
+/// what is exact, a standard error of at most 0.5 % of it, and all photons accounted for. Records
+/// the case for the table.
+///
+/// By chance a correct tracer has a quantity beyond 3 standard errors in 0.5 % of all draws
+/// (Student's t, 31 degrees of freedom), so about one of the hundreds here will be. The case is
+/// then traced again, with other numbers and four times the photons, and that must be within: a
+/// correct tracer fails a quantity with a chance of 3e-5, the more photons only show a wrong one
+/// the better.
 void ExpectExact(const ValidationCase& known);
 
 /// Weights A_v g(x_v) over the points for which `counts` holds: for a flat part and a linear g the
