@@ -4,10 +4,14 @@
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace PhotonTransport
 {
+
+/// Two sheets this close are in one place: a ray's distance to them is rounded by as much.
+constexpr float SheetGap = 0x1p-20f;
 
 /// A facet's plane: any of its points, and its unit normal.
 struct FacetPlane
@@ -20,5 +24,9 @@ struct FacetPlane
 /// for each side, as CAD programs export it. A ray can't tell which of the two it meets first.
 /// Marks all such facets and some others. @return Empty if there are none.
 std::vector<std::uint8_t> FacetsOfDoubleSheets(const std::vector<FacetPlane>& planes);
+
+/// Barycentric coordinates of a point that lies in a triangle, up to SheetGap in any direction.
+std::optional<glm::vec3> Within(
+  const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
 } // namespace PhotonTransport

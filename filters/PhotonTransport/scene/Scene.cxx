@@ -28,34 +28,8 @@ constexpr double LeastArea = std::numeric_limits<float>::min();
 /// Below this sine of the angle to its facets a vertex normal counts as theirs.
 constexpr float NoTilt = 1e-4f;
 
-/// Two sheets this close are in one place: a ray's distance to them is rounded by as much.
-constexpr float SheetGap = 0x1p-20f;
-
 /// Cosine above which two planes that close are one.
 constexpr float SameSheet = 0.999f;
-
-/// Barycentric coordinates of a point that lies in a triangle, up to SheetGap in any direction.
-std::optional<glm::vec3> Within(
-  const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
-{
-  const glm::dvec3 normal = glm::cross(b - a, c - a); // of twice the area
-  const double twiceArea = glm::length(normal);
-  if (std::fabs(glm::dot(point - a, normal)) > double{ SheetGap } * twiceArea)
-  {
-    return std::nullopt;
-  }
-  const auto share = [&](const glm::dvec3& from, const glm::dvec3& to)
-  {
-    const double part = glm::dot(glm::cross(to - from, point - from), normal) / twiceArea;
-    return part < -double{ SheetGap } * glm::length(to - from) ? -1.0 : std::max(0.0, part);
-  };
-  const glm::dvec3 parts(share(b, c), share(c, a), share(a, b));
-  if (parts.x < 0.0 || parts.y < 0.0 || parts.z < 0.0)
-  {
-    return std::nullopt;
-  }
-  return glm::vec3(parts / (parts.x + parts.y + parts.z));
-}
 
 /// Unit length, or zero for a normal that says nothing.
 glm::dvec3 UsableNormal(const glm::dvec3& normal)
