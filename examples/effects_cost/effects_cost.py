@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What each effect costs a scene that calls for it, and what leaving it out does to the result.
 
-Run by pvbatch: effects_cost.py OUTPUT_DIR [--quick | --redraw]; takes minutes. Writes there the table (CSV and
-Markdown) and a figure. --redraw draws the figure anew from an earlier table.
+Run by pvbatch: effects_cost.py OUTPUT_DIR [--quick | --redraw]; takes minutes. Writes there the
+table (CSV and Markdown) and a figure. --redraw draws the figure anew from an earlier table.
 """
 
 import argparse

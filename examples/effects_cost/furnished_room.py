@@ -108,7 +108,8 @@ def surface():
     parts += [(BALL, ball()), (SHADE, shade()), (SCREEN, screen())]
     for _, part in parts:
         part.GetPointData().SetTCoords(None)
-    return bodies.appended(*(with_cell_value(part, "Part", float(number)) for number, part in parts))
+    numbered = (with_cell_value(part, "Part", float(number)) for number, part in parts)
+    return bodies.appended(*numbered)
 
 
 class Pipeline:
@@ -170,7 +171,11 @@ def rooms():
             FURNISHINGS["metal"],
         ),
         Room("Fabric lamp shade", ("diffuse transmission",), FURNISHINGS["shade"]),
-        Room("Glass screen, glass ball", ("clear transmission", "refraction"), FURNISHINGS["glass"]),
+        Room(
+            "Glass screen, glass ball",
+            ("clear transmission", "refraction"),
+            FURNISHINGS["glass"],
+        ),
         Room(
             "All of it, three lamps",
             tuple(SWITCHES),
