@@ -23,12 +23,16 @@ struct Line
     this->a = f0 - this->b * p0;
   }
   double At(double p) const { return std::max(0.0, this->a + this->b * p); }
-  /// Of (a + b p) sin p.
+  /// Of (a + b p) sin p, up to a constant.
+  double Primitive(double sine, double cosine, double p) const
+  {
+    return -(this->a + this->b * p) * cosine + this->b * sine;
+  }
   double SineIntegral(double from, double to) const
   {
-    const auto primitive = [&](double p)
-    { return -(this->a + this->b * p) * std::cos(p) + this->b * std::sin(p); };
-    return std::max(0.0, primitive(to) - primitive(from));
+    return std::max(0.0,
+      this->Primitive(std::sin(to), std::cos(to), to) -
+        this->Primitive(std::sin(from), std::cos(from), from));
   }
   /// Of (a + b p) sin p cos p.
   double SineCosineIntegral(double from, double to) const
@@ -106,20 +110,27 @@ double DirectionTable::PolarAt(double share, std::size_t& band) const
   const Line line(
     p0, p1, this->UpTo[(band + 1) * columns - 1], this->UpTo[(band + 2) * columns - 1]);
   const double wanted = target - (band == 0 ? 0.0 : this->BandEnds[band - 1]);
-  // Newton's method, kept between bounds that close in.
+  // Newton's method, kept between bounds that close in, from where it would be if the density were
+  // linear in the angle.
   double low = p0, high = p1;
-  double p = 0.5 * (low + high);
+  const double whole = this->BandEnds[band] - (band == 0 ? 0.0 : this->BandEnds[band - 1]);
+  double p = p0 +
+    (p1 - p0) *
+      LinearInverse(line.At(p0) * std::sin(p0), line.At(p1) * std::sin(p1),
+        whole > 0.0 ? std::clamp(wanted / whole, 0.0, 1.0) : 0.5);
+  const double start = line.Primitive(std::sin(p0), std::cos(p0), p0);
   constexpr int MostSteps = 60;
-  constexpr double Close = 1e-10;
-  for (int step = 0; step < MostSteps && high - low > Close; ++step)
+  constexpr double Close = 1e-5; // of p; the step's own error is its square
+  for (int step = 0; step < MostSteps; ++step)
   {
-    const double excess = line.SineIntegral(p0, p) - wanted;
+    const double sine = std::sin(p);
+    const double excess = line.Primitive(sine, std::cos(p), p) - start - wanted;
     (excess > 0.0 ? high : low) = p;
-    const double slope = line.At(p) * std::sin(p);
+    const double slope = line.At(p) * sine;
     const double next = slope > 0.0 ? p - excess / slope : low;
     const bool inside = next > low && next < high;
     const double before = std::exchange(p, inside ? next : 0.5 * (low + high));
-    if (inside && std::fabs(p - before) < Close)
+    if (std::fabs(p - before) <= Close * p)
     {
       break;
     }
