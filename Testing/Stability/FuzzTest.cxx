@@ -245,8 +245,10 @@ TEST(Fuzz, AnySceneGivesABalancedAndFiniteMap)
 
 TEST(Fuzz, AMistakeIsRefusedByName)
 {
+  RecordProperty("protects", "a wrong value that is traced, or blamed on something else");
+  int refused = 0;
   rc::detail::checkGTest(
-    []
+    [&]
     {
       const RandomScene drawn = Drawn(DrawSceneWithMistake);
       try
@@ -257,14 +259,18 @@ TEST(Fuzz, AMistakeIsRefusedByName)
       catch (const InvalidInput& error)
       {
         RC_ASSERT(std::string(error.what()).find(drawn.mistake) != std::string::npos);
+        ++refused;
       }
     });
+  RecordProperty("measured", std::to_string(refused) + " refused, each by the name of its mistake");
 }
 
 TEST(Fuzz, ThreadsUnitsAndTheGeneralWalkDoNotChangeABit)
 {
+  RecordProperty("protects", "results that depend on the machine, the unit or the walk chosen");
+  int same = 0;
   rc::detail::checkGTest(
-    []
+    [&]
     {
       RandomScene drawn = Drawn(DrawScene);
       const double factor = std::ldexp(1.0, *rc::gen::inRange(-40, 41).as("power of two"));
@@ -281,10 +287,12 @@ TEST(Fuzz, ThreadsUnitsAndTheGeneralWalkDoNotChangeABit)
         RC_ASSERT(SameBits(one.front, two.front) && SameBits(one.back, two.back));
         RC_ASSERT(one.balance.absorbed == two.balance.absorbed);
         RC_ASSERT(one.balance.switchedOff == two.balance.switchedOff);
+        ++same;
       }
       catch (const InvalidInput& error)
       {
         RC_ASSERT(MayBeRefused(error.what()));
       }
     });
+  RecordProperty("measured", std::to_string(same) + " pairs with the same bits");
 }
