@@ -58,43 +58,73 @@ double LinearInverse(double f0, double f1, double share)
 
 DirectionTable::DirectionTable(
   std::vector<double> polar, std::vector<double> azimuth, std::vector<double> values)
-  : Polar(std::move(polar))
-  , Azimuth(std::move(azimuth))
-  , Values(std::move(values))
+  : Azimuth(std::move(azimuth))
 {
-  const std::size_t rows = this->Polar.size();
   const std::size_t columns = this->Azimuth.size();
-  this->UpTo.resize(rows * columns, 0.0);
-  for (std::size_t p = 0; p < rows; ++p)
+  this->Nodes.reserve(polar.size() * columns);
+  for (std::size_t p = 0; p < polar.size(); ++p)
   {
-    for (std::size_t z = 1; z < columns; ++z)
+    this->Rings.push_back({ polar[p], std::sin(polar[p]), std::cos(polar[p]), 0.0 });
+    for (std::size_t z = 0; z < columns; ++z)
     {
-      const double mean = 0.5 * (this->Value(p, z - 1) + this->Value(p, z));
-      this->UpTo[p * columns + z] =
-        this->UpTo[p * columns + z - 1] + mean * (this->Azimuth[z] - this->Azimuth[z - 1]);
+      this->Nodes.push_back({ values[z * polar.size() + p], 0.0 });
     }
+    this->AddUpRing(p);
+    this->FindFirstOfParts(p);
   }
-  double sum = 0.0;
-  for (std::size_t band = 0; band + 1 < rows; ++band)
+  std::vector<double> bands;
+  for (std::size_t band = 0; band + 1 < polar.size(); ++band)
   {
-    const double p0 = this->Polar[band], p1 = this->Polar[band + 1];
-    const Line line(
-      p0, p1, this->UpTo[(band + 1) * columns - 1], this->UpTo[(band + 2) * columns - 1]);
-    sum += line.SineIntegral(p0, p1);
-    this->BandEnds.push_back(sum);
+    const Ring &above = this->Rings[band], &below = this->Rings[band + 1];
+    const Line line(above.angle, below.angle, above.integral, below.integral);
+    bands.push_back(line.SineIntegral(above.angle, below.angle));
+    this->Whole += bands.back();
+  }
+  if (this->Whole > 0.0)
+  {
+    this->Bands = FluxTable(bands);
+  }
+}
+
+void DirectionTable::AddUpRing(std::size_t ring)
+{
+  const std::size_t columns = this->Azimuth.size();
+  Node* nodes = &this->Nodes[ring * columns];
+  for (std::size_t z = 1; z < columns; ++z)
+  {
+    const double mean = 0.5 * (nodes[z - 1].value + nodes[z].value);
+    nodes[z].upTo = nodes[z - 1].upTo + mean * (this->Azimuth[z] - this->Azimuth[z - 1]);
+  }
+  this->Rings[ring].integral = nodes[columns - 1].upTo;
+}
+
+void DirectionTable::FindFirstOfParts(std::size_t ring)
+{
+  const std::size_t intervals = this->Azimuth.size() - 1;
+  const Node* nodes = &this->Nodes[ring * this->Azimuth.size()];
+  const double whole = this->Rings[ring].integral;
+  std::uint32_t first = 0;
+  for (std::size_t part = 0; part < intervals; ++part)
+  {
+    // A dark ring has a say in nothing: it points to the last interval.
+    const double start = whole * static_cast<double>(part) / static_cast<double>(intervals);
+    while (first + 1 < intervals && nodes[first + 1].upTo <= start)
+    {
+      ++first;
+    }
+    this->FirstOfPart.push_back(first);
   }
 }
 
 double DirectionTable::CosineIntegral() const
 {
-  const std::size_t columns = this->Azimuth.size();
   double sum = 0.0;
-  for (std::size_t band = 0; band + 1 < this->Polar.size() && this->Polar[band] < HalfPi; ++band)
+  for (std::size_t band = 0; band + 1 < this->Rings.size() && this->Rings[band].angle < HalfPi;
+       ++band)
   {
-    const double p0 = this->Polar[band], p1 = this->Polar[band + 1];
-    const Line line(
-      p0, p1, this->UpTo[(band + 1) * columns - 1], this->UpTo[(band + 2) * columns - 1]);
-    sum += line.SineCosineIntegral(p0, std::min(p1, HalfPi));
+    const Ring &above = this->Rings[band], &below = this->Rings[band + 1];
+    const Line line(above.angle, below.angle, above.integral, below.integral);
+    sum += line.SineCosineIntegral(above.angle, std::min(below.angle, HalfPi));
   }
   return sum;
 }
@@ -102,23 +132,18 @@ double DirectionTable::CosineIntegral() const
 /// The polar angle up to which a share of the whole lies.
 double DirectionTable::PolarAt(double share, std::size_t& band) const
 {
-  const double target = share * this->Integral();
-  const auto end = std::upper_bound(this->BandEnds.begin(), this->BandEnds.end() - 1, target);
-  band = static_cast<std::size_t>(end - this->BandEnds.begin());
-  const std::size_t columns = this->Azimuth.size();
-  const double p0 = this->Polar[band], p1 = this->Polar[band + 1];
-  const Line line(
-    p0, p1, this->UpTo[(band + 1) * columns - 1], this->UpTo[(band + 2) * columns - 1]);
-  const double wanted = target - (band == 0 ? 0.0 : this->BandEnds[band - 1]);
+  band = this->Bands.At(share);
+  const Ring &above = this->Rings[band], &below = this->Rings[band + 1];
+  const Line line(above.angle, below.angle, above.integral, below.integral);
+  const double width = this->Bands.End(band) - this->Bands.Begin(band);
+  const double part = std::clamp((share - this->Bands.Begin(band)) / width, 0.0, 1.0);
+  const double wanted = part * width * this->Whole;
   // Newton's method, kept between bounds that close in, from where it would be if the density were
   // linear in the angle.
-  double low = p0, high = p1;
-  const double whole = this->BandEnds[band] - (band == 0 ? 0.0 : this->BandEnds[band - 1]);
-  double p = p0 +
-    (p1 - p0) *
-      LinearInverse(line.At(p0) * std::sin(p0), line.At(p1) * std::sin(p1),
-        whole > 0.0 ? std::clamp(wanted / whole, 0.0, 1.0) : 0.5);
-  const double start = line.Primitive(std::sin(p0), std::cos(p0), p0);
+  double low = above.angle, high = below.angle;
+  double p = low +
+    (high - low) * LinearInverse(above.integral * above.sine, below.integral * below.sine, part);
+  const double start = line.Primitive(above.sine, above.cosine, above.angle);
   constexpr int MostSteps = 60;
   constexpr double Close = 1e-5; // of p; the step's own error is its square
   for (int step = 0; step < MostSteps; ++step)
@@ -138,37 +163,41 @@ double DirectionTable::PolarAt(double share, std::size_t& band) const
   return p;
 }
 
+/// The azimuth up to which a share of the light lies that a part `below` of the way through a band
+/// has: the distribution there is a mixture of its two rings', so that it is not reached before
+/// the nearer of the two.
+double DirectionTable::AzimuthAt(std::size_t band, double below, double share) const
+{
+  const std::size_t columns = this->Azimuth.size();
+  const std::size_t intervals = columns - 1;
+  const Node* upper = &this->Nodes[band * columns];
+  const Node* lower = upper + columns;
+  const auto upTo = [&](std::size_t z)
+  { return (1.0 - below) * upper[z].upTo + below * lower[z].upTo; };
+  const auto value = [&](std::size_t z)
+  { return (1.0 - below) * upper[z].value + below * lower[z].value; };
+  const double target =
+    share * ((1.0 - below) * this->Rings[band].integral + below * this->Rings[band + 1].integral);
+  const std::size_t part =
+    band * intervals + static_cast<std::size_t>(share * static_cast<double>(intervals));
+  std::size_t z = std::min(this->FirstOfPart[part], this->FirstOfPart[part + intervals]);
+  while (z + 1 < intervals && upTo(z + 1) <= target)
+  {
+    ++z;
+  }
+  const double whole = upTo(z + 1) - upTo(z);
+  const double within = whole > 0.0 ? std::clamp((target - upTo(z)) / whole, 0.0, 1.0) : 0.5;
+  const double width = this->Azimuth[z + 1] - this->Azimuth[z];
+  return this->Azimuth[z] + width * LinearInverse(value(z), value(z + 1), within);
+}
+
 glm::dvec2 DirectionTable::Sample(double u, double v) const
 {
   std::size_t band = 0;
   const double p = this->PolarAt(u, band);
-  const std::size_t columns = this->Azimuth.size();
-  const double t =
-    std::clamp((p - this->Polar[band]) / (this->Polar[band + 1] - this->Polar[band]), 0.0, 1.0);
-  const double* above = &this->UpTo[band * columns];
-  const double* below = above + columns;
-  const auto upTo = [&](std::size_t z) { return (1.0 - t) * above[z] + t * below[z]; };
-  const double target = v * upTo(columns - 1);
-  // The first interval that ends beyond the target.
-  std::size_t first = 0, last = columns - 2;
-  while (first < last)
-  {
-    const std::size_t middle = (first + last) / 2;
-    if (upTo(middle + 1) > target)
-    {
-      last = middle;
-    }
-    else
-    {
-      first = middle + 1;
-    }
-  }
-  const double whole = upTo(first + 1) - upTo(first);
-  const double share = whole > 0.0 ? std::clamp((target - upTo(first)) / whole, 0.0, 1.0) : 0.5;
-  const auto value = [&](std::size_t z)
-  { return (1.0 - t) * this->Value(band, z) + t * this->Value(band + 1, z); };
-  const double width = this->Azimuth[first + 1] - this->Azimuth[first];
-  return { p, this->Azimuth[first] + width * LinearInverse(value(first), value(first + 1), share) };
+  const double from = this->Rings[band].angle, to = this->Rings[band + 1].angle;
+  const double below = std::clamp((p - from) / (to - from), 0.0, 1.0);
+  return { p, this->AzimuthAt(band, below, v) };
 }
 
 } // namespace PhotonTransport

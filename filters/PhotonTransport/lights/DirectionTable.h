@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/lights/FluxTable.h"
+
 #include <glm/vec2.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace PhotonTransport
@@ -22,7 +25,7 @@ public:
     std::vector<double> polar, std::vector<double> azimuth, std::vector<double> values);
 
   /// Of the values over the solid angle of the grid.
-  double Integral() const { return this->BandEnds.back(); }
+  double Integral() const { return this->Whole; }
 
   /// Of the values times the cosine of the polar angle, over the part up to pi/2.
   double CosineIntegral() const;
@@ -31,17 +34,32 @@ public:
   glm::dvec2 Sample(double u, double v) const;
 
 private:
-  double PolarAt(double share, std::size_t& band) const;
-  double Value(std::size_t polar, std::size_t azimuth) const
+  /// One polar angle of the grid.
+  struct Ring
   {
-    return this->Values[azimuth * this->Polar.size() + polar];
-  }
+    double angle, sine, cosine;
+    double integral; ///< Of the values over azimuth.
+  };
+  /// One point of the grid.
+  struct Node
+  {
+    double value;
+    double upTo; ///< Integral of the ring's values up to this azimuth.
+  };
 
-  std::vector<double> Polar, Azimuth;
-  std::vector<double> Values; ///< [azimuth][polar]
-  /// Integral over azimuth up to each one, [polar][azimuth]; linear between the polar angles.
-  std::vector<double> UpTo;
-  std::vector<double> BandEnds; ///< Integral up to the end of each band between polar angles.
+  void AddUpRing(std::size_t ring);
+  void FindFirstOfParts(std::size_t ring);
+  double PolarAt(double share, std::size_t& band) const;
+  double AzimuthAt(std::size_t band, double below, double share) const;
+
+  std::vector<double> Azimuth;
+  std::vector<Ring> Rings;
+  std::vector<Node> Nodes; ///< [ring][azimuth]
+  FluxTable Bands;         ///< Between two rings each.
+  double Whole = 0.0;
+  /// [ring][part], of as many equal parts of the ring's integral as there are intervals of azimuth:
+  /// the first interval that reaches into the part, see FluxTable.
+  std::vector<std::uint32_t> FirstOfPart;
 };
 
 } // namespace PhotonTransport

@@ -90,9 +90,13 @@ Ray SkyEmitter::Emit(const PhotonSample& sample, const Share&) const
 
 Ray TableSkyEmitter::Emit(const PhotonSample& sample, const Share&) const
 {
-  const glm::dvec2 angles = this->table->Sample(sample.Emission(2), sample.Emission(3));
-  return OntoBall(
-    Direction(angles, this->azimuth0, this->azimuth90, this->up), this->radius, sample);
+  // One number chooses the side of the sun and the azimuth there; next to each other in the number
+  // is next to each other in the sky, across the sun's meridian too.
+  const double turn = 2.0 * sample.Emission(3) - 1.0;
+  const glm::dvec2 angles =
+    this->table->Sample(sample.Emission(2), std::min(std::fabs(turn), 1.0 - 0x1p-53));
+  const glm::dvec3 beside = turn < 0.0 ? -this->azimuth90 : this->azimuth90;
+  return OntoBall(Direction(angles, this->azimuth0, beside, this->up), this->radius, sample);
 }
 
 Ray TableEmitter::Emit(const PhotonSample& sample, const Share&) const

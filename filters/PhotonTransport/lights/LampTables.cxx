@@ -65,7 +65,7 @@ std::shared_ptr<const DirectionTable> TableOf(const PhotometricSolid& solid)
 DirectionTable SkyTable(int type, double sunZenithAngle)
 {
   constexpr int Polar = 180;   // half a degree each
-  constexpr int Azimuth = 720; // the same
+  constexpr int Azimuth = 360; // the same, of half a turn
   std::vector<double> polar, azimuth, luminance;
   for (int p = 0; p <= Polar; ++p)
   {
@@ -73,7 +73,7 @@ DirectionTable SkyTable(int type, double sunZenithAngle)
   }
   for (int z = 0; z <= Azimuth; ++z)
   {
-    azimuth.push_back(2.0 * Pi * z / Azimuth);
+    azimuth.push_back(Pi * z / Azimuth);
     for (const double angle : polar)
     {
       // Spherical trigonometry: the angle between a point of the sky and the sun.
@@ -89,7 +89,7 @@ DirectionTable SkyTable(int type, double sunZenithAngle)
 double ZenithLuminance(const CieSky& sky, const DirectionTable& table)
 {
   return CheckedAmount(sky.horizontalIlluminance, "horizontal illuminance") /
-    table.CosineIntegral();
+    (2.0 * table.CosineIntegral());
 }
 
 double SunZenithAngle(const CieSky& sky)

@@ -15,8 +15,9 @@ namespace PhotonTransport
 /// cd. Throws InvalidInput for a solid that contradicts itself or is dark.
 std::shared_ptr<const DirectionTable> TableOf(const PhotometricSolid& solid);
 
-/// Luminance relative to the zenith's; polar angle from the zenith, azimuth from the sun. Fine
-/// enough that what lies between its angles is off by less than 1e-4 on average.
+/// Luminance relative to the zenith's; polar angle from the zenith, azimuth from the sun's, of the
+/// half on one side of the sun: the other half is its mirror image. Fine enough that what lies
+/// between its angles is off by less than 1e-4 on average.
 DirectionTable SkyTable(int type, double sunZenithAngle);
 
 /// cd/m^2 of a sky's zenith, by its horizontal illuminance. @param table Of the same sky.

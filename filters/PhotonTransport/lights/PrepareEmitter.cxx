@@ -262,7 +262,7 @@ PreparedEmitter Prepare(const CieSky& sky, const Scene& scene)
   const double radius = BallRadius(scene);
   return { TableSkyEmitter{
              towardsSun, glm::cross(up, towardsSun), up, static_cast<float>(radius), table },
-    ZenithLuminance(sky, *table) * table->Integral() * CrossSection(radius, scene) };
+    ZenithLuminance(sky, *table) * 2.0 * table->Integral() * CrossSection(radius, scene) };
 }
 
 } // namespace
