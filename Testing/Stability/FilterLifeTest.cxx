@@ -56,6 +56,14 @@ protected:
   vtkNew<AtEvent> Watch;
 };
 
+struct FilterDeletion : public ::testing::Test
+{
+  void SetUp() override
+  {
+    RecordProperty("protects", "a filter deleted while something still uses it or its output");
+  }
+};
+
 } // namespace
 
 TEST_F(FilterLife, AbortAtAnyStageLeavesAMapOfWhatWasTraced)
@@ -93,7 +101,7 @@ TEST_F(FilterLife, InputMayBeDeletedWhileItIsTraced)
   EXPECT_EQ(this->Messages->Errors, 0) << this->Messages->Text;
 }
 
-TEST(FilterDeletion, MayComeFromItsOwnProgress)
+TEST_F(FilterDeletion, MayComeFromItsOwnProgress)
 {
   auto* filter = vtkIlluminationMap::New();
   filter->SetInputData(SmallSphere());
@@ -106,7 +114,7 @@ TEST(FilterDeletion, MayComeFromItsOwnProgress)
   EXPECT_GT(watch->Seen, 1);
 }
 
-TEST(FilterDeletion, MayFollowAnAbort)
+TEST_F(FilterDeletion, MayFollowAnAbort)
 {
   auto filter = vtkSmartPointer<vtkIlluminationMap>::New();
   filter->SetInputData(SmallSphere());
@@ -121,7 +129,7 @@ TEST(FilterDeletion, MayFollowAnAbort)
   EXPECT_TRUE(AllFinite(output));
 }
 
-TEST(FilterDeletion, OfTheFilterLeavesThePipelineAfterIt)
+TEST_F(FilterDeletion, OfTheFilterLeavesThePipelineAfterIt)
 {
   vtkNew<vtkPolyDataNormals> after;
   {
