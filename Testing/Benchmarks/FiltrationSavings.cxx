@@ -187,7 +187,7 @@ struct Results
   void Add(const Truth& truth, const std::array<double, Measures>& before,
     const std::array<double, Measures>& after, double toldSquare)
   {
-    for (int m = 0; m < Measures; ++m)
+    for (std::size_t m = 0; m < Measures; ++m)
     {
       logSaving[m] += std::log(before[m] / after[m]);
     }
@@ -231,7 +231,7 @@ void Measure(const FiltrationScene& what, std::uint32_t firstSeed, int seeds)
       std::vector<double> raw(map.direct);
       std::transform(raw.begin(), raw.end(), map.indirect.begin(), raw.begin(), std::plus<>());
       const auto before = SquaredErrors(truth, raw);
-      for (int way = 0; way < Ways; ++way)
+      for (std::size_t way = 0; way < Ways; ++way)
       {
         const Smoothed smoothed = Smooth(graph, run, truth, static_cast<Way>(way));
         results[b][way].Add(truth, before, SquaredErrors(truth, smoothed.lux), smoothed.toldSquare);
@@ -245,7 +245,7 @@ void Measure(const FiltrationScene& what, std::uint32_t firstSeed, int seeds)
     "|---|---|---|---|---|---|---|---|---|\n",
     what.name.c_str(), what.what.c_str(), graph.Vertices(), firstSeed,
     firstSeed + static_cast<std::uint32_t>(seeds) - 1);
-  for (int way = 0; way < Ways; ++way)
+  for (std::size_t way = 0; way < Ways; ++way)
   {
     for (std::size_t b = 0; b < Budgets.size(); ++b)
     {

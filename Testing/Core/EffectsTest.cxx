@@ -75,10 +75,10 @@ std::vector<Named> Scenes(const Colour& colour)
     Shapes::Together(Shapes::Box(glm::dvec3(-2.0), glm::dvec3(2.0), 3, Facing::Inward),
       Shapes::Box({ 0.2, 0.3, -0.9 }, { 1.1, 1.2, 0.3 }, 1, Facing::Outward));
   std::vector<Named> scenes;
-  for (const auto& [name, surface] : { Named{ "curved ", curved }, Named{ "flat ", flat } })
+  for (const Named& shape : { Named{ "curved ", curved }, Named{ "flat ", flat } })
   {
     const auto add = [&](const char* walk, const std::vector<Material>& materials) {
-      scenes.push_back({ name + walk, With(surface, materials) });
+      scenes.push_back({ shape.name + walk, With(shape.surface, materials) });
     };
     add("ends", { Material() });
     add("diffuse", { Diffuse(0.8f * colour), Material() });
@@ -86,7 +86,7 @@ std::vector<Named> Scenes(const Colour& colour)
     add("transmitting",
       { Diffuse(0.9f * colour), Shade(colour), Glass(colour, false), Glass(colour, true) });
     add("general", { Shiny(colour), Shade(colour), Glass(colour, false), Glass(colour, true) });
-    scenes.push_back({ name + "plain", Shapes::WithReflectance(surface, 0.6f) });
+    scenes.push_back({ shape.name + "plain", Shapes::WithReflectance(shape.surface, 0.6f) });
   }
   return scenes;
 }
