@@ -211,7 +211,8 @@ PreparedEmitter Prepare(const EmittingMesh& lamp, const Scene& scene)
     {
       const glm::dvec3 normal = CheckedDirection(area); // whose square may be too small a number
       emitter.triangles.push_back(
-        { corners[0] + double{ OriginOffset } * normal, u, v, glm::vec3(normal) });
+        { corners[0] + double{ OriginOffset } * scene.Reach(corners[0]) * normal, u, v,
+          glm::vec3(normal) });
       fluxes.push_back(flux);
       sum += flux;
     }

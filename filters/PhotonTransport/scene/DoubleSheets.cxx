@@ -73,19 +73,19 @@ std::vector<std::uint8_t> FacetsOfDoubleSheets(const std::vector<FacetPlane>& pl
   return any ? marked : std::vector<std::uint8_t>();
 }
 
-std::optional<glm::vec3> Within(
-  const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+std::optional<glm::vec3> Within(const glm::dvec3& point, double gap, const glm::dvec3& a,
+  const glm::dvec3& b, const glm::dvec3& c)
 {
   const glm::dvec3 normal = glm::cross(b - a, c - a); // of twice the area
   const double twiceArea = glm::length(normal);
-  if (std::fabs(glm::dot(point - a, normal)) > double{ SheetGap } * twiceArea)
+  if (std::fabs(glm::dot(point - a, normal)) > gap * twiceArea)
   {
     return std::nullopt;
   }
   const auto share = [&](const glm::dvec3& from, const glm::dvec3& to)
   {
     const double part = glm::dot(glm::cross(to - from, point - from), normal) / twiceArea;
-    return part < -double{ SheetGap } * glm::length(to - from) ? -1.0 : std::max(0.0, part);
+    return part < -gap * glm::length(to - from) ? -1.0 : std::max(0.0, part);
   };
   const glm::dvec3 parts(share(b, c), share(c, a), share(a, b));
   if (parts.x < 0.0 || parts.y < 0.0 || parts.z < 0.0)

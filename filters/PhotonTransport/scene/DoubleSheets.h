@@ -10,7 +10,8 @@
 namespace PhotonTransport
 {
 
-/// Two sheets this close are in one place: a ray's distance to them is rounded by as much.
+/// Two sheets this close, relative to the reach of a point (Scene::Reach), are in one place: a
+/// ray's distance to them is rounded by as much.
 constexpr float SheetGap = 0x1p-20f;
 
 /// A facet's plane: any of its points, and its unit normal.
@@ -25,8 +26,8 @@ struct FacetPlane
 /// Marks all such facets and some others. @return Empty if there are none.
 std::vector<std::uint8_t> FacetsOfDoubleSheets(const std::vector<FacetPlane>& planes);
 
-/// Barycentric coordinates of a point that lies in a triangle, up to SheetGap in any direction.
-std::optional<glm::vec3> Within(
-  const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+/// Barycentric coordinates of a point that lies in a triangle, up to a gap in any direction.
+std::optional<glm::vec3> Within(const glm::dvec3& point, double gap, const glm::dvec3& a,
+  const glm::dvec3& b, const glm::dvec3& c);
 
 } // namespace PhotonTransport

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/refinement/Subdivision.h"
+
 #include <glm/vec3.hpp>
 
 #include <cstddef>
@@ -35,20 +37,27 @@ class EmbreeScene
 {
 public:
   /// @param points In [-1, 1]. @param facets Indices into points; none of zero area.
+  /// @param parts Of the facets that are traced in parts; hits on them are hits on their facet.
   /// Throws std::runtime_error with Embree's own words if the build fails.
-  EmbreeScene(const std::vector<glm::vec3>& points, const std::vector<glm::uvec3>& facets);
+  EmbreeScene(std::vector<glm::vec3> points, std::vector<glm::uvec3> facets,
+    std::vector<FacetPart> parts = {});
   ~EmbreeScene();
   EmbreeScene(EmbreeScene&&) noexcept;
   EmbreeScene& operator=(EmbreeScene&&) noexcept;
 
   /// The first hit of each ray. Safe to call from any number of threads.
   ///
+  /// The error of a hit grows with the length of the ray. A ray that comes from far to a place near
+  /// the origin, where coordinates are fine, is therefore traced again from shortly before its hit:
+  /// from far it could not tell which of two facets close together it meets first.
+  ///
   /// Rays go to Embree eight at a time, which is up to a third faster than one by one even where
   /// they have nothing in common. A ray that meets an edge may get either of its facets, depending
   /// on its neighbours in the eight: callers that promise the same bits pass the same groups.
   void Intersect(const Ray* rays, Hit* hits, std::size_t count) const;
 
-  /// Calls f(facet) for all facets whose bounds come within a distance of a point, in any order.
+  /// Calls f(facet) for all facets whose bounds come within a distance of a point, in any order,
+  /// more than once for a facet that is traced in parts.
   void ForEachNear(
     const glm::vec3& point, float distance, const std::function<void(std::uint32_t)>& f) const;
 

@@ -17,10 +17,10 @@ namespace PhotonTransport
 namespace
 {
 
-/// How far from the facet's edges, in offsets. A start lifted off one wall of an acute corner would
-/// land behind the other wall if it were closer than offset * cot(angle): 4 serves down to 14
-/// degrees, where the plain offset lets rays out.
-constexpr float EdgeClearance = 4.0f * OriginOffset;
+/// How far from the facet's edges a ray starts, in offsets. A start lifted off one wall of an acute
+/// corner would land behind the other wall if it were closer than offset * cot(angle): 4 serves
+/// down to 14 degrees, where the plain offset lets rays out.
+constexpr double EdgeClearance = 4.0;
 
 /// Scene units squared. A smaller facet has no area that its single-precision record could hold.
 constexpr double LeastArea = std::numeric_limits<float>::min();
@@ -57,12 +57,13 @@ std::vector<glm::vec3> ScenePositions(const Surface& surface, const Placement& p
   return positions;
 }
 
-/// Smallest barycentric coordinate that keeps EdgeClearance from every edge.
-float EdgeMargin(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, double area)
+/// Smallest barycentric coordinate that keeps EdgeClearance from every edge, by offset.
+float MarginPerOffset(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, double area)
 {
   const double longest = std::max({ glm::length(b - a), glm::length(c - b), glm::length(a - c) });
   const double smallestHeight = 2.0 * area / longest;
-  return static_cast<float>(std::min(1.0 / 3.0, EdgeClearance / smallestHeight));
+  constexpr double Most = std::numeric_limits<float>::max();
+  return static_cast<float>(std::min(Most, EdgeClearance / smallestHeight));
 }
 
 } // namespace
@@ -73,11 +74,11 @@ Scene::Scene(const Surface& surface)
   Validate(surface);
   this->Place = FitPlacement(surface.points, surface.facets);
   this->RequireSize();
-  const std::vector<glm::vec3> positions = ScenePositions(surface, this->Place);
+  std::vector<glm::vec3> positions = ScenePositions(surface, this->Place);
   this->AddFacets(surface, positions);
   this->AddVertices(surface, positions);
   this->FindDoubleSheets();
-  this->BuildBvh(positions);
+  this->BuildBvh(std::move(positions));
 }
 
 /// Areas must neither vanish nor overflow in m^2.
@@ -124,7 +125,7 @@ void Scene::AddFacets(const Surface& surface, const std::vector<glm::vec3>& posi
       ? surface.reflectance[f]
       : Luminous(surface.materials[surface.materialOfFacet[f]].diffuseReflectance);
     this->FacetRecords.push_back(
-      { ids, reflectance, glm::vec3(areaVector / area), EdgeMargin(a, b, c, area) });
+      { ids, reflectance, glm::vec3(areaVector / area), MarginPerOffset(a, b, c, area) });
     this->FacetAreas.emplace_back(areaVector);
     this->AddFacetLight(surface, f);
   }
@@ -262,7 +263,7 @@ Vertex Scene::MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const g
     flat ? -1.0f : static_cast<float>(sinTilt), static_cast<float>(1.0 / areas) };
 }
 
-void Scene::BuildBvh(const std::vector<glm::vec3>& positions)
+void Scene::BuildBvh(std::vector<glm::vec3> positions)
 {
   std::vector<glm::uvec3> indices;
   indices.reserve(this->FacetRecords.size());
@@ -270,7 +271,28 @@ void Scene::BuildBvh(const std::vector<glm::vec3>& positions)
   {
     indices.push_back(facet.vertices);
   }
-  this->Bvh.emplace(positions, indices);
+  std::vector<FacetPart> parts = this->PartsOfLargeFacets(positions);
+  this->Bvh.emplace(std::move(positions), std::move(indices), std::move(parts));
+}
+
+/// Embree's error at a facet grows with the facet's extent. Facets that are large for their
+/// distance from the origin, where coordinates are fine, are traced in parts that are not.
+std::vector<FacetPart> Scene::PartsOfLargeFacets(const std::vector<glm::vec3>& positions)
+{
+  std::vector<FacetPart> parts;
+  const auto halves = [this](const glm::vec3& a, const glm::vec3& b)
+  {
+    const glm::vec3 along = b - a;
+    const float length = glm::length(along);
+    const float place = std::clamp(-glm::dot(a, along) / (length * length), 0.0f, 1.0f);
+    return length > 2.0f * std::max(glm::length(a + place * along), this->LeastReach);
+  };
+  for (std::uint32_t f = 0; f < this->FacetRecords.size(); ++f)
+  {
+    const glm::uvec3& ids = this->FacetRecords[f].vertices;
+    AppendParts(f, { positions[ids.x], positions[ids.y], positions[ids.z] }, halves, parts);
+  }
+  return parts;
 }
 
 void Scene::FindDoubleSheets()
@@ -291,6 +313,7 @@ bool Scene::FindFront(const Ray& ray, Hit& hit) const
   const Facet& behind = this->FacetRecords[hit.facet];
   const glm::dvec3 point = double(hit.barycentric.x) * corner(behind, 0) +
     double(hit.barycentric.y) * corner(behind, 1) + double(hit.barycentric.z) * corner(behind, 2);
+  const double gap = double{ SheetGap } * this->Reach(point);
   std::uint32_t chosen = NoFacet; // the first in the list, whatever the order of the search
   const auto look = [&](std::uint32_t f)
   {
@@ -298,7 +321,7 @@ bool Scene::FindFront(const Ray& ray, Hit& hit) const
     if (f < chosen && glm::dot(ray.direction, facet.normal) < 0.0f &&
       glm::dot(behind.normal, facet.normal) < -SameSheet)
     {
-      const auto there = Within(point, corner(facet, 0), corner(facet, 1), corner(facet, 2));
+      const auto there = Within(point, gap, corner(facet, 0), corner(facet, 1), corner(facet, 2));
       if (there)
       {
         chosen = f;
@@ -306,19 +329,27 @@ bool Scene::FindFront(const Ray& ray, Hit& hit) const
       }
     }
   };
-  this->Bvh->ForEachNear(glm::vec3(point), SheetGap, look);
+  this->Bvh->ForEachNear(glm::vec3(point), static_cast<float>(gap), look);
   hit.facet = chosen != NoFacet ? chosen : hit.facet;
   return chosen != NoFacet;
 }
 
 glm::vec3 Scene::SafeOrigin(const Facet& facet, const glm::vec3& barycentric, bool front) const
 {
-  glm::vec3 b = glm::max(barycentric, facet.margin);
-  b /= b.x + b.y + b.z;
-  const glm::vec3 point = b.x * this->VertexRecords[facet.vertices.x].position +
-    b.y * this->VertexRecords[facet.vertices.y].position +
-    b.z * this->VertexRecords[facet.vertices.z].position;
-  return point + (front ? OriginOffset : -OriginOffset) * facet.normal;
+  // In double, so that the start is rounded by its own coordinates and not by the facet's.
+  const glm::dvec3 a(this->VertexRecords[facet.vertices.x].position);
+  const glm::dvec3 toB = glm::dvec3(this->VertexRecords[facet.vertices.y].position) - a;
+  const glm::dvec3 toC = glm::dvec3(this->VertexRecords[facet.vertices.z].position) - a;
+  const auto at = [&](const glm::vec3& b) { return a + double{ b.y } * toB + double{ b.z } * toC; };
+  glm::dvec3 point = at(barycentric);
+  const double offset = double{ OriginOffset } * this->Reach(point);
+  const float margin = std::min(1.0f / 3.0f, facet.marginPerOffset * static_cast<float>(offset));
+  if (std::min({ barycentric.x, barycentric.y, barycentric.z }) < margin)
+  {
+    const glm::vec3 inside = glm::max(barycentric, margin);
+    point = at(inside / (inside.x + inside.y + inside.z));
+  }
+  return glm::vec3(point + (front ? offset : -offset) * glm::dvec3(facet.normal));
 }
 
 double Scene::SquareMetresPerSceneArea() const

@@ -9,7 +9,9 @@
 
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -17,10 +19,12 @@
 namespace PhotonTransport
 {
 
-/// How far a ray starts above its facet, scene units: 32 units in the last place of a coordinate
-/// near 1. Points on a facet come from barycentric coordinates, which keeps them within about 3
-/// such units of its plane (Waechter and Binder, "A Fast and Robust Method for Avoiding
-/// Self-Intersection", Ray Tracing Gems, 2019, measure the same error and add a wide reserve).
+/// How far a ray starts above its facet, relative to the reach of its point (Scene::Reach): 32
+/// units in the last place of a coordinate as large as that. A start is rounded once, by half such
+/// a unit, and Embree's distances to facets err by a few units of the facets' extent, which parts
+/// keep within about four times the reach (Waechter and Binder, "A Fast and Robust Method for
+/// Avoiding Self-Intersection", Ray Tracing Gems, 2019, measure the same errors and add a wide
+/// reserve).
 constexpr float OriginOffset = 0x1p-19f;
 
 /// What the walk needs of a facet, in one half of a cache line.
@@ -29,8 +33,9 @@ struct alignas(32) Facet
   glm::uvec3 vertices;
   float reflectance; ///< Diffuse, luminous.
   glm::vec3 normal;  ///< Unit, on the side of the vertex normals (the front).
-  /// Least barycentric coordinate at which a reflected ray may start; see SafeOrigin.
-  float margin;
+  /// Least barycentric coordinate at which a ray may start, for each unit of its offset; see
+  /// SafeOrigin.
+  float marginPerOffset;
 };
 
 /// What registration and reflection need of a vertex. Areas are in scene units.
@@ -91,6 +96,15 @@ public:
       this->FindFront(ray, hit);
   }
 
+  /// Coordinates are floats: what they can tell apart grows with their size. This is the size that
+  /// counts at a point, its largest coordinate; next to the origin it stays at a least value.
+  template <typename Number>
+  Number Reach(const glm::vec<3, Number>& point) const
+  {
+    return std::max(
+      { std::fabs(point.x), std::fabs(point.y), std::fabs(point.z), Number{ this->LeastReach } });
+  }
+
   /// Where a ray starts that leaves the point `barycentric` of a facet on its front or back.
   glm::vec3 SafeOrigin(const Facet& facet, const glm::vec3& barycentric, bool front) const;
 
@@ -144,10 +158,12 @@ private:
   Vertex MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const glm::vec3& position);
   void FindDoubleSheets();
   bool FindFront(const Ray& ray, Hit& hit) const;
-  void BuildBvh(const std::vector<glm::vec3>& positions);
+  std::vector<FacetPart> PartsOfLargeFacets(const std::vector<glm::vec3>& positions);
+  void BuildBvh(std::vector<glm::vec3> positions);
 
   Placement Place;
   double MetresPerUnit;
+  float LeastReach = 0x1p-16f;
   std::vector<Facet> FacetRecords;
   std::vector<glm::vec3> FacetAreas;
   std::vector<float> FacetExitance;

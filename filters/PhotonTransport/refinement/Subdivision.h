@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace PhotonTransport
+{
+
+/// A part of a facet. Its corners are given in the facet's barycentric coordinates, which are
+/// multiples of a power of two and therefore exact.
+struct FacetPart
+{
+  std::uint32_t facet;
+  std::array<glm::vec3, 3> corners;
+
+  /// The facet's barycentric coordinates of a point that is given in those of the part.
+  glm::vec3 InFacet(const glm::vec3& inPart) const
+  {
+    return inPart.x * this->corners[0] + inPart.y * this->corners[1] + inPart.z * this->corners[2];
+  }
+};
+
+/// Where barycentric coordinates lie. The products are exact, and on an edge only two of them are
+/// not zero: both facets of an edge get the same bits for a point of it, whatever the order of
+/// their corners.
+glm::vec3 PositionOf(const glm::vec3& barycentric, const std::array<glm::vec3, 3>& corners);
+
+/// Whether the edge between two points is to be halved.
+using HalvesEdge = std::function<bool(const glm::vec3&, const glm::vec3&)>;
+
+/// Divides a facet by halving its edges, the halves' edges and so on: an edge is halved or not by
+/// its own two end points alone, so that the parts of two facets that share an edge meet without a
+/// gap and without a vertex of one inside an edge of the other. Adds no part where no edge is to be
+/// halved.
+/// @param halves Must end: edges get shorter by half each time, and 20 times is the most.
+void AppendParts(std::uint32_t facet, const std::array<glm::vec3, 3>& corners,
+  const HalvesEdge& halves, std::vector<FacetPart>& parts);
+
+} // namespace PhotonTransport
