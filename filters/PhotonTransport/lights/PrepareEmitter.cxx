@@ -2,6 +2,7 @@
 #include "PhotonTransport/lights/PrepareEmitter.h"
 
 #include "PhotonTransport/geometry/BoundingCircle.h"
+#include "PhotonTransport/lights/Clearance.h"
 #include "PhotonTransport/lights/LampChecks.h"
 #include "PhotonTransport/lights/LampTables.h"
 
@@ -28,6 +29,29 @@ constexpr double SceneRadius = 1.7321;
 Frame FrameOf(const glm::dvec3& unitDirection)
 {
   return Frame(glm::vec3(unitDirection));
+}
+
+/// In scene coordinates, clear of facets. @param aim Unit, or zero.
+glm::dvec3 ClearPosition(
+  const glm::dvec3& position, const Scene& scene, const glm::dvec3& aim = glm::dvec3(0.0))
+{
+  const glm::dvec3 place = CheckedPosition(position, scene);
+  return place + WayClearOfFacets(scene, { place }, aim);
+}
+
+/// Moves a panel clear of facets that it touches with its centre or rim.
+void MoveClear(PanelEmitter& panel, const Scene& scene, const glm::dvec3& aim)
+{
+  std::vector<glm::dvec3> places{ panel.centre };
+  for (const double u : { -1.0, 0.0, 1.0 })
+  {
+    for (const double v : { -1.0, 0.0, 1.0 })
+    {
+      const double rim = panel.round && u * v != 0.0 ? std::sqrt(0.5) : 1.0;
+      places.push_back(panel.centre + rim * (u * panel.acrossU + v * panel.acrossV));
+    }
+  }
+  panel.centre += WayClearOfFacets(scene, places, aim);
 }
 
 /// The scene's shadow under parallel light, in the plane of the frame's tangents.
@@ -85,14 +109,15 @@ PreparedEmitter Prepare(const ParallelLight& light, const Scene& scene)
 PreparedEmitter Prepare(const PointLamp& lamp, const Scene& scene)
 {
   return { ConeEmitter{
-             CheckedPosition(lamp.position, scene), FrameOf({ 0.0, 0.0, 1.0 }), 0.0f, -1.0f },
+             ClearPosition(lamp.position, scene), FrameOf({ 0.0, 0.0, 1.0 }), 0.0f, -1.0f },
     CheckedAmount(lamp.flux, "luminous flux") };
 }
 
 PreparedEmitter Prepare(const LambertianPointLamp& lamp, const Scene& scene)
 {
-  return { ConeEmitter{ CheckedPosition(lamp.position, scene),
-             FrameOf(CheckedDirection(lamp.direction)), 1.0f, 0.0f },
+  const glm::dvec3 direction = CheckedDirection(lamp.direction);
+  return { ConeEmitter{
+             ClearPosition(lamp.position, scene, direction), FrameOf(direction), 1.0f, 0.0f },
     CheckedAmount(lamp.flux, "luminous flux") };
 }
 
@@ -107,8 +132,9 @@ PreparedEmitter Prepare(const SpotLamp& lamp, const Scene& scene)
   }
   CheckedAmount(lamp.exponent, "spot exponent");
   const auto cosMax = static_cast<float>(std::cos(lamp.halfAngle));
-  return { ConeEmitter{ CheckedPosition(lamp.position, scene),
-             FrameOf(CheckedDirection(lamp.direction)), static_cast<float>(lamp.exponent),
+  const glm::dvec3 direction = CheckedDirection(lamp.direction);
+  return { ConeEmitter{ ClearPosition(lamp.position, scene, direction), FrameOf(direction),
+             static_cast<float>(lamp.exponent),
              lamp.exponent > 0.0 ? std::max(0.0f, cosMax) : cosMax },
     CheckedAmount(lamp.flux, "luminous flux") };
 }
@@ -121,18 +147,21 @@ PreparedEmitter Prepare(const RectangleLamp& lamp, const Scene& scene)
   across = glm::length(across) > Vertical ? glm::normalize(across) : glm::dvec3(1.0, 0.0, 0.0);
   const double width = CheckedLength(lamp.width, scene, "lamp width");
   const double height = CheckedLength(lamp.height, scene, "lamp height");
-  return { PanelEmitter{ CheckedPosition(lamp.centre, scene), FrameOf(direction),
-             0.5 * width * across, 0.5 * height * glm::cross(direction, across), false },
-    CheckedAmount(lamp.flux, "luminous flux") };
+  PanelEmitter panel{ CheckedPosition(lamp.centre, scene), FrameOf(direction), 0.5 * width * across,
+    0.5 * height * glm::cross(direction, across), false };
+  MoveClear(panel, scene, direction);
+  return { panel, CheckedAmount(lamp.flux, "luminous flux") };
 }
 
 PreparedEmitter Prepare(const DiskLamp& lamp, const Scene& scene)
 {
-  const Frame frame = FrameOf(CheckedDirection(lamp.direction));
+  const glm::dvec3 direction = CheckedDirection(lamp.direction);
+  const Frame frame = FrameOf(direction);
   const double radius = CheckedLength(lamp.radius, scene, "lamp radius");
-  return { PanelEmitter{ CheckedPosition(lamp.centre, scene), frame,
-             radius * glm::dvec3(frame.tangent), radius * glm::dvec3(frame.bitangent), true },
-    CheckedAmount(lamp.flux, "luminous flux") };
+  PanelEmitter panel{ CheckedPosition(lamp.centre, scene), frame,
+    radius * glm::dvec3(frame.tangent), radius * glm::dvec3(frame.bitangent), true };
+  MoveClear(panel, scene, direction);
+  return { panel, CheckedAmount(lamp.flux, "luminous flux") };
 }
 
 PreparedEmitter Prepare(const UniformSky& sky, const Scene& scene)
@@ -146,8 +175,8 @@ PreparedEmitter Prepare(const UniformSky& sky, const Scene& scene)
 
 PreparedEmitter Prepare(const SphereLamp& lamp, const Scene& scene)
 {
-  return { SphereEmitter{ CheckedPosition(lamp.centre, scene),
-             CheckedLength(lamp.radius, scene, "lamp radius") },
+  return { SphereEmitter{
+             ClearPosition(lamp.centre, scene), CheckedLength(lamp.radius, scene, "lamp radius") },
     CheckedAmount(lamp.flux, "luminous flux") };
 }
 
@@ -155,8 +184,12 @@ PreparedEmitter Prepare(const LineLamp& lamp, const Scene& scene)
 {
   const glm::dvec3 axis = CheckedDirection(lamp.axis, "lamp axis");
   const double length = CheckedLength(lamp.length, scene, "lamp length");
-  return { LineEmitter{ CheckedPosition(lamp.centre, scene), 0.5 * length * axis, FrameOf(axis) },
-    CheckedAmount(lamp.flux, "luminous flux") };
+  LineEmitter tube{ CheckedPosition(lamp.centre, scene), 0.5 * length * axis, FrameOf(axis) };
+  tube.centre += WayClearOfFacets(scene,
+    { tube.centre, tube.centre - tube.halfAxis, tube.centre + tube.halfAxis,
+      tube.centre - 0.5 * tube.halfAxis, tube.centre + 0.5 * tube.halfAxis },
+    glm::dvec3(0.0));
+  return { tube, CheckedAmount(lamp.flux, "luminous flux") };
 }
 
 PreparedEmitter Prepare(const EmittingFacets&, const Scene& scene)
@@ -210,9 +243,9 @@ PreparedEmitter Prepare(const EmittingMesh& lamp, const Scene& scene)
     if (flux > 0.0)
     {
       const glm::dvec3 normal = CheckedDirection(area); // whose square may be too small a number
-      emitter.triangles.push_back(
-        { corners[0] + double{ OriginOffset } * scene.Reach(corners[0]) * normal, u, v,
-          glm::vec3(normal) });
+      const glm::dvec3 way = WayClearOfFacets(
+        scene, { corners[0], corners[1], corners[2], corners[0] + (u + v) / 3.0 }, normal);
+      emitter.triangles.push_back({ corners[0] + way, u, v, glm::vec3(normal) });
       fluxes.push_back(flux);
       sum += flux;
     }
@@ -232,8 +265,9 @@ PreparedEmitter Prepare(const PhotometricLamp& lamp, const Scene& scene)
     RefuseLamp("lamp rotation " + Text(lamp.rotation) + " is not finite");
   }
   const auto table = TableOf(lamp.solid);
-  const LampAxes axes = AxesOf(CheckedDirection(lamp.direction), lamp.rotation);
-  const glm::dvec3 position = CheckedPosition(lamp.position, scene);
+  const glm::dvec3 direction = CheckedDirection(lamp.direction);
+  const LampAxes axes = AxesOf(direction, lamp.rotation);
+  const glm::dvec3 position = ClearPosition(lamp.position, scene, direction);
   const double flux = CheckedAmount(lamp.scale, "dimming") * table->Integral();
   // See PhotometricSolid.
   switch (lamp.solid.type)

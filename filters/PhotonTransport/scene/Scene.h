@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -85,6 +86,13 @@ public:
   void Intersect(const Ray* rays, Hit* hits, std::size_t count) const
   {
     this->Bvh->Intersect(rays, hits, count);
+  }
+
+  /// See EmbreeScene::ForEachNear.
+  void ForEachNear(
+    const glm::vec3& point, float distance, const std::function<void(std::uint32_t)>& f) const
+  {
+    this->Bvh->ForEachNear(point, distance, f);
   }
 
   /// Where two sheets of a wall lie in one place, a ray may meet the wrong one. Moves a hit on the
