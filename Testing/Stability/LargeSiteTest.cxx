@@ -116,7 +116,6 @@ TEST(LargeSite, ARoomOnBareGroundKeepsItsLight)
     const Surface all = Shapes::WithReflectance(Shapes::Together(room, Terrain(site)), 0.98f);
     const SoundRun run(
       all, PointLamp{ site.place + glm::dvec3(0.7, 0.4, 2.0), 1000.0 }, FlatSettings(), 4'000);
-      double(run.balance.segments));
     EXPECT_LE(run.balance.escaped, 0u);
   }
 }

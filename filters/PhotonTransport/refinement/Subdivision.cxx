@@ -103,7 +103,8 @@ private:
     if (halvings > 0)
     {
       this->Parts.push_back(
-        { this->Facet, { part[0].barycentric, part[1].barycentric, part[2].barycentric } });
+        { this->Facet, { part[0].barycentric, part[1].barycentric, part[2].barycentric },
+          { part[0].position, part[1].position, part[2].position } });
     }
   }
 

@@ -11,12 +11,13 @@
 namespace PhotonTransport
 {
 
-/// A part of a facet. Its corners are given in the facet's barycentric coordinates, which are
-/// multiples of a power of two and therefore exact.
+/// A part of a facet.
 struct FacetPart
 {
   std::uint32_t facet;
+  /// In the facet's barycentric coordinates, multiples of a power of two and therefore exact.
   std::array<glm::vec3, 3> corners;
+  std::array<glm::vec3, 3> positions; ///< Of the corners, each rounded once.
 
   /// The facet's barycentric coordinates of a point that is given in those of the part.
   glm::vec3 InFacet(const glm::vec3& inPart) const

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -45,18 +46,12 @@ void CopyToBuffer(
 void AddParts(const std::vector<FacetPart>& parts, std::vector<glm::vec3>& points,
   std::vector<glm::uvec3>& facets)
 {
-  const std::vector<glm::uvec3> whole = parts.empty() ? std::vector<glm::uvec3>() : facets;
   for (const FacetPart& part : parts)
   {
-    const glm::uvec3& ids = whole[part.facet];
-    const std::array<glm::vec3, 3> corners{ points[ids.x], points[ids.y], points[ids.z] };
     const auto first = static_cast<unsigned>(points.size());
-    for (const glm::vec3& corner : part.corners)
-    {
-      points.push_back(PositionOf(corner, corners));
-    }
+    points.insert(points.end(), part.positions.begin(), part.positions.end());
     facets.emplace_back(first, first + 1, first + 2);
-    facets[part.facet] = glm::uvec3(ids.x);
+    facets[part.facet] = glm::uvec3(facets[part.facet].x);
   }
 }
 
@@ -80,6 +75,11 @@ void LoadRay(RTCRayHit8& packet, std::size_t lane, const Ray& ray)
   packet.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
 }
 
+bool HasHit(const RTCRayHit8& packet, std::size_t lane)
+{
+  return packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
+}
+
 /// A ray this many times as long as its hit is far from the origin is traced again from near.
 constexpr float FarRay = 16.0f;
 
@@ -87,30 +87,31 @@ constexpr float FarRay = 16.0f;
 /// coordinate, which the error of the hit does not reach but where the ray is in the facet's plane.
 constexpr float Approach = 0x1p-17f;
 
-/// The rays whose hits are to be looked for again, started near them.
-/// @param again Set to -1 for each of them, else to 0. @return Whether there are any.
-bool StartFarRaysNear(const RTCRayHit8& packet, const Ray* rays, std::size_t count,
-  RTCRayHit8& closer, int (&again)[PacketSize])
+/// -1 for each lane whose hit is to be looked for again from near, else 0. @return Whether any is.
+bool FindFarRays(const RTCRayHit8& packet, int (&far)[PacketSize])
 {
-  bool any = false;
-  for (std::size_t lane = 0; lane < count; ++lane)
+  int any = 0;
+  for (std::size_t lane = 0; lane < PacketSize; ++lane) // simple enough to become vector operations
   {
-    const float length = packet.ray.tfar[lane]; // infinite without a hit
-    const glm::vec3 end = glm::abs(rays[lane].origin + length * rays[lane].direction);
-    const float reach = std::max({ end.x, end.y, end.z });
-    const bool far = length > FarRay * reach && length < std::numeric_limits<float>::max();
-    again[lane] = far ? -1 : 0;
-    if (far)
-    {
-      const double along = double{ length } * (1.0 - double{ Approach });
-      const glm::dvec3 start =
-        glm::dvec3(rays[lane].origin) + along * glm::dvec3(rays[lane].direction);
-      LoadRay(closer, lane, { glm::vec3(start), rays[lane].direction });
-      closer.ray.tfar[lane] = 2.0f * Approach * length;
-      any = true;
-    }
+    const float length = packet.ray.tfar[lane];
+    const float x = std::fabs(packet.ray.org_x[lane] + length * packet.ray.dir_x[lane]);
+    const float y = std::fabs(packet.ray.org_y[lane] + length * packet.ray.dir_y[lane]);
+    const float z = std::fabs(packet.ray.org_z[lane] + length * packet.ray.dir_z[lane]);
+    const float most = length * (1.0f / FarRay);
+    // Without a hit the length is infinite and so is, or is no number, at least one of the three.
+    far[lane] = -static_cast<int>((x < most) & (y < most) & (z < most));
+    any |= far[lane];
   }
-  return any;
+  return any != 0;
+}
+
+/// The same ray from shortly before its hit to shortly behind it.
+void LoadRayFromNear(RTCRayHit8& packet, std::size_t lane, const Ray& ray, float length)
+{
+  const double along = double{ length } * (1.0 - double{ Approach });
+  const glm::dvec3 start = glm::dvec3(ray.origin) + along * glm::dvec3(ray.direction);
+  LoadRay(packet, lane, { glm::vec3(start), ray.direction });
+  packet.ray.tfar[lane] = 2.0f * Approach * length;
 }
 
 } // namespace
@@ -142,48 +143,65 @@ struct EmbreeScene::Implementation
     return primitive < this->facets ? primitive : this->parts[primitive - this->facets].facet;
   }
 
-  Hit StoredHit(const RTCRayHit8& packet, std::size_t lane) const
+  void StoreHit(const RTCRayHit8& packet, std::size_t lane, Hit& hit) const
   {
-    if (packet.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID)
-    {
-      return Hit();
-    }
     // Rounding may put a hit on an edge just outside the facet.
     const float u = std::clamp(packet.hit.u[lane], 0.0f, 1.0f);
     const float v = std::clamp(packet.hit.v[lane], 0.0f, 1.0f - u);
-    const glm::vec3 barycentric(1.0f - u - v, u, v);
-    const std::uint32_t primitive = packet.hit.primID[lane];
-    if (primitive < this->facets)
+    hit.facet = packet.hit.primID[lane];
+    hit.barycentric = { 1.0f - u - v, u, v };
+    hit.part = NoPart;
+    if (hit.facet >= this->facets)
     {
-      return { primitive, barycentric };
+      hit.part = hit.facet - static_cast<std::uint32_t>(this->facets);
+      hit.inPart = hit.barycentric;
+      hit.facet = this->parts[hit.part].facet;
+      hit.barycentric = this->parts[hit.part].InFacet(hit.inPart);
     }
-    const FacetPart& part = this->parts[primitive - this->facets];
-    return { part.facet, part.InFacet(barycentric) };
   }
 
   void IntersectPacket(const Ray* rays, Hit* hits, std::size_t count) const
   {
     alignas(32) int valid[PacketSize] = {};
     RTCRayHit8 packet;
-    for (std::size_t lane = 0; lane < count; ++lane)
+    for (std::size_t lane = 0; lane < PacketSize; ++lane)
     {
-      valid[lane] = -1;
-      LoadRay(packet, lane, rays[lane]);
+      valid[lane] = lane < count ? -1 : 0;
+      LoadRay(packet, lane, rays[std::min(lane, count - 1)]);
     }
     IntersectFirst(this->scene, valid, packet);
     for (std::size_t lane = 0; lane < count; ++lane)
     {
-      hits[lane] = this->StoredHit(packet, lane);
-    }
-    alignas(32) int again[PacketSize] = {};
-    RTCRayHit8 closer;
-    if (StartFarRaysNear(packet, rays, count, closer, again))
-    {
-      IntersectFirst(this->scene, again, closer);
-      for (std::size_t lane = 0; lane < count; ++lane)
+      hits[lane].facet = NoFacet;
+      if (HasHit(packet, lane))
       {
-        const Hit nearer = again[lane] != 0 ? this->StoredHit(closer, lane) : Hit();
-        hits[lane] = nearer ? nearer : hits[lane];
+        this->StoreHit(packet, lane, hits[lane]);
+      }
+    }
+    alignas(32) int far[PacketSize];
+    if (FindFarRays(packet, far))
+    {
+      this->IntersectAgain(packet, far, rays, hits, count);
+    }
+  }
+
+  void IntersectAgain(const RTCRayHit8& packet, const int (&far)[PacketSize], const Ray* rays,
+    Hit* hits, std::size_t count) const
+  {
+    RTCRayHit8 closer = packet;
+    for (std::size_t lane = 0; lane < count; ++lane)
+    {
+      if (far[lane] != 0)
+      {
+        LoadRayFromNear(closer, lane, rays[lane], packet.ray.tfar[lane]);
+      }
+    }
+    IntersectFirst(this->scene, far, closer);
+    for (std::size_t lane = 0; lane < count; ++lane)
+    {
+      if (far[lane] != 0 && HasHit(closer, lane))
+      {
+        this->StoreHit(closer, lane, hits[lane]);
       }
     }
   }
@@ -229,6 +247,11 @@ void EmbreeScene::Intersect(const Ray* rays, Hit* hits, std::size_t count) const
     const std::size_t used = std::min(PacketSize, count - first);
     this->Impl->IntersectPacket(rays + first, hits + first, used);
   }
+}
+
+const FacetPart& EmbreeScene::Part(std::uint32_t part) const
+{
+  return this->Impl->parts[part];
 }
 
 void EmbreeScene::ForEachNear(

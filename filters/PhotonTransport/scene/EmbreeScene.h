@@ -22,12 +22,16 @@ struct Ray
 };
 
 constexpr std::uint32_t NoFacet = 0xffffffffu;
+constexpr std::uint32_t NoPart = 0xffffffffu;
 
 /// The first facet along a ray.
 struct Hit
 {
   std::uint32_t facet = NoFacet;
   glm::vec3 barycentric{ 0.0f }; ///< Of the facet's three corners; in [0, 1], sum 1.
+  /// Of the facet, where it is traced in parts: the place in it tells the point more finely.
+  std::uint32_t part = NoPart;
+  glm::vec3 inPart{ 0.0f }; ///< Barycentric coordinates of the part.
 
   explicit operator bool() const { return this->facet != NoFacet; }
 };
@@ -60,6 +64,8 @@ public:
   /// more than once for a facet that is traced in parts.
   void ForEachNear(
     const glm::vec3& point, float distance, const std::function<void(std::uint32_t)>& f) const;
+
+  const FacetPart& Part(std::uint32_t part) const;
 
 private:
   struct Implementation;

@@ -285,7 +285,7 @@ std::vector<FacetPart> Scene::PartsOfLargeFacets(const std::vector<glm::vec3>& p
     const glm::vec3 along = b - a;
     const float length = glm::length(along);
     const float place = std::clamp(-glm::dot(a, along) / (length * length), 0.0f, 1.0f);
-    return length > 2.0f * std::max(glm::length(a + place * along), this->LeastReach);
+    return length > 1.5f * std::max(glm::length(a + place * along), this->LeastReach);
   };
   for (std::uint32_t f = 0; f < this->FacetRecords.size(); ++f)
   {
@@ -326,12 +326,40 @@ bool Scene::FindFront(const Ray& ray, Hit& hit) const
       {
         chosen = f;
         hit.barycentric = *there;
+        hit.part = NoPart;
       }
     }
   };
   this->Bvh->ForEachNear(glm::vec3(point), static_cast<float>(gap), look);
   hit.facet = chosen != NoFacet ? chosen : hit.facet;
   return chosen != NoFacet;
+}
+
+glm::vec3 Scene::SafeOrigin(const Hit& hit, bool front) const
+{
+  const Facet& facet = this->FacetRecords[hit.facet];
+  const auto at =
+    [](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& weights)
+  { return a + weights.y * (b - a) + weights.z * (c - a); };
+  glm::vec3 point;
+  if (hit.part == NoPart)
+  {
+    point = at(this->VertexRecords[facet.vertices.x].position,
+      this->VertexRecords[facet.vertices.y].position,
+      this->VertexRecords[facet.vertices.z].position, hit.barycentric);
+  }
+  else
+  {
+    const std::array<glm::vec3, 3>& corners = this->Bvh->Part(hit.part).positions;
+    point = at(corners[0], corners[1], corners[2], hit.inPart);
+  }
+  const float offset = OriginOffset * this->Reach(point);
+  const float margin = facet.marginPerOffset * offset;
+  if (std::min(std::min(hit.barycentric.x, hit.barycentric.y), hit.barycentric.z) < margin)
+  {
+    return this->SafeOrigin(facet, hit.barycentric, front);
+  }
+  return point + (front ? offset : -offset) * facet.normal;
 }
 
 glm::vec3 Scene::SafeOrigin(const Facet& facet, const glm::vec3& barycentric, bool front) const
@@ -341,15 +369,11 @@ glm::vec3 Scene::SafeOrigin(const Facet& facet, const glm::vec3& barycentric, bo
   const glm::dvec3 toB = glm::dvec3(this->VertexRecords[facet.vertices.y].position) - a;
   const glm::dvec3 toC = glm::dvec3(this->VertexRecords[facet.vertices.z].position) - a;
   const auto at = [&](const glm::vec3& b) { return a + double{ b.y } * toB + double{ b.z } * toC; };
-  glm::dvec3 point = at(barycentric);
-  const double offset = double{ OriginOffset } * this->Reach(point);
-  const float margin = std::min(1.0f / 3.0f, facet.marginPerOffset * static_cast<float>(offset));
-  if (std::min({ barycentric.x, barycentric.y, barycentric.z }) < margin)
-  {
-    const glm::vec3 inside = glm::max(barycentric, margin);
-    point = at(inside / (inside.x + inside.y + inside.z));
-  }
-  return glm::vec3(point + (front ? offset : -offset) * glm::dvec3(facet.normal));
+  const float offset = OriginOffset * static_cast<float>(this->Reach(at(barycentric)));
+  const float margin = std::min(1.0f / 3.0f, facet.marginPerOffset * offset);
+  const glm::vec3 inside = glm::max(barycentric, margin);
+  const glm::dvec3 point = at(inside / (inside.x + inside.y + inside.z));
+  return glm::vec3(point + double{ front ? offset : -offset } * glm::dvec3(facet.normal));
 }
 
 double Scene::SquareMetresPerSceneArea() const

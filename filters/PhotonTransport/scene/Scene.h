@@ -23,7 +23,7 @@ namespace PhotonTransport
 /// How far a ray starts above its facet, relative to the reach of its point (Scene::Reach): 32
 /// units in the last place of a coordinate as large as that. A start is rounded once, by half such
 /// a unit, and Embree's distances to facets err by a few units of the facets' extent, which parts
-/// keep within about four times the reach (Waechter and Binder, "A Fast and Robust Method for
+/// keep within three times the reach (Waechter and Binder, "A Fast and Robust Method for
 /// Avoiding Self-Intersection", Ray Tracing Gems, 2019, measure the same errors and add a wide
 /// reserve).
 constexpr float OriginOffset = 0x1p-19f;
@@ -109,11 +109,13 @@ public:
   template <typename Number>
   Number Reach(const glm::vec<3, Number>& point) const
   {
-    return std::max(
-      { std::fabs(point.x), std::fabs(point.y), std::fabs(point.z), Number{ this->LeastReach } });
+    return std::max(std::max(std::fabs(point.x), std::fabs(point.y)),
+      std::max(std::fabs(point.z), Number{ this->LeastReach }));
   }
 
-  /// Where a ray starts that leaves the point `barycentric` of a facet on its front or back.
+  /// Where a ray starts that leaves the point of a hit on the facet's front or back.
+  glm::vec3 SafeOrigin(const Hit& hit, bool front) const;
+  /// The same for any point of a facet, slower and a little less finely.
   glm::vec3 SafeOrigin(const Facet& facet, const glm::vec3& barycentric, bool front) const;
 
   /// Bring a record into the cache ahead of its use.

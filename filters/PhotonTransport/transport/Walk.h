@@ -143,8 +143,7 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
     }
     photon.origin.direct = photon.origin.direct && departure.undeflected;
     // The path stays on the facets, which conserves photons; only registration is compensated.
-    const Facet& facet = settings.scene.Facets()[hit.facet];
-    ray.origin = settings.scene.SafeOrigin(facet, hit.barycentric, front == departure.sameSide);
+    ray.origin = settings.scene.SafeOrigin(hit, front == departure.sameSide);
     ray.direction = departure.direction;
     return true;
   }
