@@ -57,6 +57,38 @@ TEST(Placement, PutsTheBoxIntoTheUnitCubeByAPowerOfTwo)
   }
 }
 
+// A fine building at the edge of a coarse site decides where the origin lies; where all is alike
+// the middle of the box stays.
+TEST(Placement, PutsTheOriginNextToTheFinestPart)
+{
+  std::vector<glm::dvec3> points;
+  std::vector<glm::uvec3> facets;
+  const auto add = [&](const glm::dvec3& at, double size)
+  {
+    const auto first = static_cast<unsigned>(points.size());
+    points.insert(points.end(), { at, at + glm::dvec3(size, 0, 0), at + glm::dvec3(0, size, 0) });
+    facets.emplace_back(first, first + 1, first + 2);
+  };
+  for (int i = 0; i < 100; ++i)
+  {
+    add({ 1000.0 * (i % 10), 1000.0 * (i / 10), 0.0 }, 1000.0);
+  }
+  const glm::dvec3 middle(5000.0, 5000.0, 0.0);
+  EXPECT_EQ(FitPlacement(points, facets).centre, middle);
+  const glm::dvec3 building(9000.0, 500.0, 10.0);
+  for (int i = 0; i < 12; ++i)
+  {
+    add(building + glm::dvec3(0.3 * i, 0.2 * i, 0.1 * i), 3.0);
+  }
+  const Placement placement = FitPlacement(points, facets);
+  EXPECT_LT(glm::length(placement.centre - building), 20.0);
+  for (const glm::dvec3& point : points)
+  {
+    const glm::dvec3 inScene = placement.PointToScene(point);
+    EXPECT_LE(std::max({ std::fabs(inScene.x), std::fabs(inScene.y), std::fabs(inScene.z) }), 1.0);
+  }
+}
+
 TEST(Placement, OfASinglePointDoesNotScale)
 {
   const Placement placement = FitPlacement({ glm::dvec3(3.0) }, { { 0, 0, 0 } });

@@ -159,3 +159,41 @@ TEST(LargeSite, ThinWallsKeepLightOut)
     EXPECT_GT(FluxOn(fromFar, inside.points.size(), shell), 0.0);
   }
 }
+
+// Two panes of 0.5 mm, kilometres apart: they cannot both lie where coordinates are fine. Their
+// faces are closer than a ray's start, or, farther away, too small for any ray: both is told.
+TEST(LargeSite, GapsThatAreTooThinAreTold)
+{
+  for (const double half : { 50.0, 5e3, 5e4 })
+  {
+    const Site site{ half, glm::dvec3(0.0), 4 };
+    const auto pane = [&](double x) {
+      return Shapes::Box({ x, 0, 1 }, { x + 1, 5e-4, 2 }, 2, Facing::Outward);
+    };
+    Surface all = Shapes::Together(pane(-half), pane(half - 1.0));
+    const std::size_t panes = all.facets.size();
+    all = Shapes::Together(all, Terrain(site));
+    all.materials.resize(2);
+    all.materials[0].clearTransmittance = Colour(1.0f);
+    all.materials[0].solid = true;
+    all.materialOfFacet.assign(all.facets.size(), 1);
+    std::fill_n(all.materialOfFacet.begin(), panes, 0u);
+    const Scene scene(all);
+    const ThinGaps& gaps = scene.Notes().thinGaps;
+    SCOPED_TRACE(half);
+    EXPECT_EQ(gaps.unresolved, half > 1e4 ? panes : 0u);
+    if (half != 5e3)
+    {
+      EXPECT_EQ(gaps.number, 0u);
+      continue;
+    }
+    EXPECT_GT(gaps.number, 0u);
+    EXPECT_NEAR(gaps.gap, 5e-4, 0x1p-24 * half); // the rounding of such a coordinate
+    EXPECT_GT(gaps.offset, gaps.gap);
+    EXPECT_LT(std::max(gaps.facet, gaps.other), panes);
+    // Opaque, the same bodies are full of no light.
+    all.materials[0] = {};
+    EXPECT_EQ(Scene(all).Notes().thinGaps.number, 0u);
+  }
+  Report("gaps too thin for a ray's rounding", "panes of 0.5 mm 10 and 100 km apart: told");
+}

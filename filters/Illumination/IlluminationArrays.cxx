@@ -113,6 +113,18 @@ void AddFront(vtkPointData* arrays, const PointMapping& mapping, const Illuminat
   arrays->SetActiveScalars("Illuminance");
 }
 
+std::string ThinGapsNote(const PhotonTransport::ThinGaps& gaps, const SceneBlocks& blocks)
+{
+  std::ostringstream text;
+  text << "light may pass " << gaps.number
+       << " triangles unseen, since another one is too close in front: "
+       << blocks.NameOfFacet(gaps.facet) << " and " << blocks.NameOfFacet(gaps.other) << " are "
+       << gaps.gap << " apart, and light that leaves a surface there starts " << gaps.offset
+       << " away from it, because coordinates are no finer so far from the scene's finest part. "
+          "Light that part in a run of its own, without what is far away, or close the gap";
+  return text.str();
+}
+
 void AddBack(vtkPointData* arrays, const PointMapping& mapping, const IlluminationMap& map)
 {
   AddArray(arrays, "IlluminanceBack", Sum(mapping.Mean(map.direct), mapping.Mean(map.indirect)));
@@ -259,6 +271,17 @@ std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTranspor
   count(found.turnedFacets,
     "triangles wind against their point normals; the normals decide which side is the front");
   count(found.droppedFacets, "triangles have no area and were left out");
+  if (found.thinGaps.unresolved > 0)
+  {
+    notes.push_back(std::to_string(found.thinGaps.unresolved) + " triangles, the first being of " +
+      blocks.NameOfFacet(found.thinGaps.firstUnresolved) +
+      ", are too small for coordinates so far from the scene's finest part: light there is not "
+      "right. Light that part in a run of its own, without what is far away");
+  }
+  if (found.thinGaps.number > 0)
+  {
+    notes.push_back(ThinGapsNote(found.thinGaps, blocks));
+  }
   count(blocks.BlocksNotPolygonal(), "blocks are not polygonal and were passed through unlit");
   return notes;
 }

@@ -17,11 +17,6 @@ namespace PhotonTransport
 namespace
 {
 
-/// How far from the facet's edges a ray starts, in offsets. A start lifted off one wall of an acute
-/// corner would land behind the other wall if it were closer than offset * cot(angle): 4 serves
-/// down to 14 degrees, where the plain offset lets rays out.
-constexpr double EdgeClearance = 4.0;
-
 /// Scene units squared. A smaller facet has no area that its single-precision record could hold.
 constexpr double LeastArea = std::numeric_limits<float>::min();
 
@@ -63,10 +58,16 @@ float MarginPerOffset(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3
   const double longest = std::max({ glm::length(b - a), glm::length(c - b), glm::length(a - c) });
   const double smallestHeight = 2.0 * area / longest;
   constexpr double Most = std::numeric_limits<float>::max();
-  return static_cast<float>(std::min(Most, EdgeClearance / smallestHeight));
+  return static_cast<float>(std::min(Most, double{ EdgeClearance } / smallestHeight));
 }
 
 } // namespace
+
+std::size_t MostParts(std::size_t facets)
+{
+  constexpr std::size_t Few = 16384;
+  return std::max(Few, facets / 8);
+}
 
 Scene::Scene(const Surface& surface)
   : MetresPerUnit(surface.metresPerUnit)
@@ -79,6 +80,7 @@ Scene::Scene(const Surface& surface)
   this->AddVertices(surface, positions);
   this->FindDoubleSheets();
   this->BuildBvh(std::move(positions));
+  this->Found.thinGaps = FindThinGaps(*this);
 }
 
 /// Areas must neither vanish nor overflow in m^2.
@@ -272,12 +274,18 @@ void Scene::BuildBvh(std::vector<glm::vec3> positions)
     indices.push_back(facet.vertices);
   }
   std::vector<FacetPart> parts = this->PartsOfLargeFacets(positions);
+  const std::size_t most = MostParts(this->FacetRecords.size());
+  while (parts.size() > most) // where thousands of large facets meet next to the origin
+  {
+    this->LeastReach *= 16.0f;
+    parts = this->PartsOfLargeFacets(positions);
+  }
   this->Bvh.emplace(std::move(positions), std::move(indices), std::move(parts));
 }
 
 /// Embree's error at a facet grows with the facet's extent. Facets that are large for their
 /// distance from the origin, where coordinates are fine, are traced in parts that are not.
-std::vector<FacetPart> Scene::PartsOfLargeFacets(const std::vector<glm::vec3>& positions)
+std::vector<FacetPart> Scene::PartsOfLargeFacets(const std::vector<glm::vec3>& positions) const
 {
   std::vector<FacetPart> parts;
   const auto halves = [this](const glm::vec3& a, const glm::vec3& b)

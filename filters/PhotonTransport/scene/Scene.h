@@ -6,6 +6,7 @@
 #include "PhotonTransport/materials/Scattering.h"
 #include "PhotonTransport/scene/EmbreeScene.h"
 #include "PhotonTransport/scene/Surface.h"
+#include "PhotonTransport/scene/ThinGaps.h"
 
 #include <glm/vec3.hpp>
 
@@ -27,6 +28,11 @@ namespace PhotonTransport
 /// Avoiding Self-Intersection", Ray Tracing Gems, 2019, measure the same errors and add a wide
 /// reserve).
 constexpr float OriginOffset = 0x1p-19f;
+
+/// How far from the facet's edges a ray starts, in offsets. A start lifted off one wall of an acute
+/// corner would land behind the other wall if it were closer than offset * cot(angle): 4 serves
+/// down to 14 degrees, where the plain offset lets rays out.
+constexpr float EdgeClearance = 4.0f;
 
 /// What the walk needs of a facet, in one half of a cache line.
 struct alignas(32) Facet
@@ -72,8 +78,13 @@ struct SceneNotes
   std::size_t tiltedVertices = 0;  ///< Normal differs from some facet's around it.
   /// Facets that scatter light in each way, by Scattering.
   std::array<std::size_t, Scatterings> scatteringFacets{};
+  ThinGaps thinGaps;
   std::size_t colouredFacets = 0; ///< Reflecting, transmitting or shining unequally by channel.
 };
+
+/// Parts of large facets that a scene keeps at most, see FacetPart: some thousand, or an eighth of
+/// its facets.
+std::size_t MostParts(std::size_t facets);
 
 /// The validated, immutable scene: geometry in [-1, 1], per-facet and per-vertex records, BVH.
 class Scene
@@ -168,7 +179,7 @@ private:
   Vertex MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const glm::vec3& position);
   void FindDoubleSheets();
   bool FindFront(const Ray& ray, Hit& hit) const;
-  std::vector<FacetPart> PartsOfLargeFacets(const std::vector<glm::vec3>& positions);
+  std::vector<FacetPart> PartsOfLargeFacets(const std::vector<glm::vec3>& positions) const;
   void BuildBvh(std::vector<glm::vec3> positions);
 
   Placement Place;

@@ -26,6 +26,11 @@ constexpr std::uint64_t InputPerFacet =
   sizeof(glm::uvec3) + 2 * sizeof(float) + sizeof(std::int64_t);
 constexpr std::uint64_t InputPerVertex = 2 * sizeof(glm::dvec3) + sizeof(std::int64_t);
 
+/// Facets that are traced in parts, of which there are an eighth as many at most: the list, doubled
+/// as it grows, and Embree's points, indices and tree.
+constexpr std::uint64_t PartsPerFacet =
+  (2 * sizeof(FacetPart) + 2 * (3 * sizeof(glm::vec3) + sizeof(glm::uvec3)) + EmbreePerFacet) / 8;
+
 /// Records, area vectors, exitance, rings and three lists of indices (one is Embree's); the areas
 /// of a ring fill groups of four.
 constexpr std::uint64_t ScenePerFacet = sizeof(Facet) + sizeof(glm::vec3) + sizeof(float) +
@@ -93,7 +98,8 @@ std::uint64_t MemoryNeed(
     layers * ((threads + 1) * sizeof(FixedPoint) + 3 * sizeof(double));
   const std::uint64_t perVertex = layersPerVertex + InputPerVertex + ScenePerVertex +
     LampPerVertex + sides * MapPerVertex + sumsPerVertex;
-  const std::uint64_t perFacet = InputPerFacet + ScenePerFacet + EmbreePerFacet + LampPerFacet;
+  const std::uint64_t perFacet =
+    InputPerFacet + ScenePerFacet + EmbreePerFacet + PartsPerFacet + LampPerFacet;
   const std::uint64_t materials =
     surface.materials.size() * (2 * sizeof(Material) + sizeof(Roulette)) +
     surface.materialOfFacet.size() * 3 * sizeof(std::uint32_t) +

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PhotonTransport/scene/ThinGaps.h"
+
+#include "PhotonTransport/scene/Scene.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace PhotonTransport
+{
+namespace
+{
+
+/// Facets narrower than eight offsets are left out: what is near their middle is their neighbours.
+constexpr float Narrow = 8.0f;
+
+/// Two facets nearer than this share of an offset, four times the rounding of a coordinate, may be
+/// meant to be in one place.
+constexpr double Rounding = 0.125;
+
+/// From where a ray would start at the middle of a facet, back to the facet.
+struct Probe
+{
+  std::uint32_t facet;
+  bool front; ///< The side of the facet that is looked at.
+  float offset;
+};
+
+class Search
+{
+public:
+  explicit Search(const Scene& scene)
+    : Surroundings(scene)
+  {
+  }
+
+  ThinGaps Run()
+  {
+    const std::size_t facets = this->Surroundings.Facets().size();
+    for (std::uint32_t f = 0; f < facets; ++f)
+    {
+      this->Add(f, true);
+      if (this->LetsLightThrough(f))
+      {
+        this->Add(f, false);
+      }
+      if (this->Probes.size() + 2 > Together || f + 1 == facets)
+      {
+        this->Look();
+      }
+    }
+    return this->Found;
+  }
+
+private:
+  static constexpr std::size_t Together = 64;
+
+  bool LetsLightThrough(std::uint32_t facet) const
+  {
+    const Scene& scene = this->Surroundings;
+    return !scene.Materials().empty() &&
+      (ScatteringsOf(scene.Materials()[scene.MaterialOfFacet()[facet]]) & Transmissions) != 0;
+  }
+
+  void Add(std::uint32_t f, bool front)
+  {
+    const Facet& facet = this->Surroundings.Facets()[f];
+    const glm::vec3 middle(1.0f / 3.0f);
+    const glm::vec3 start = this->Surroundings.SafeOrigin(facet, middle, front);
+    const float offset = OriginOffset * this->Surroundings.Reach(start);
+    if (facet.marginPerOffset * offset > EdgeClearance / Narrow)
+    {
+      this->NoteIfUnresolved(f, front, offset);
+    }
+    else
+    {
+      this->Probes.push_back({ f, front, offset });
+      this->Rays.push_back({ start, front ? -facet.normal : facet.normal });
+    }
+  }
+
+  void NoteIfUnresolved(std::uint32_t f, bool front, float offset)
+  {
+    const glm::uvec3& ids = this->Surroundings.Facets()[f].vertices;
+    const auto corner = [&](int c) { return this->Surroundings.Vertices()[ids[c]].position; };
+    const float longest = std::max({ glm::length(corner(1) - corner(0)),
+      glm::length(corner(2) - corner(1)), glm::length(corner(0) - corner(2)) });
+    if (front && longest < Narrow * offset)
+    {
+      this->Found.firstUnresolved = this->Found.unresolved++ == 0 ? f : this->Found.firstUnresolved;
+    }
+  }
+
+  void Look()
+  {
+    std::array<Hit, Together> hits;
+    this->Surroundings.Intersect(this->Rays.data(), hits.data(), this->Rays.size());
+    for (std::size_t i = 0; i < this->Rays.size(); ++i)
+    {
+      if (hits[i] && hits[i].facet != this->Probes[i].facet)
+      {
+        this->Judge(this->Probes[i], this->Rays[i], hits[i]);
+      }
+    }
+    this->Probes.clear();
+    this->Rays.clear();
+  }
+
+  void Judge(const Probe& probe, const Ray& ray, const Hit& hit)
+  {
+    const Facet& other = this->Surroundings.Facets()[hit.facet];
+    const bool inFront = probe.front && glm::dot(ray.direction, other.normal) > 0.0f;
+    const bool lit = inFront || this->LetsLightThrough(hit.facet) || !probe.front;
+    const double way = this->WayTo(ray, hit);
+    if (!lit || probe.offset - way < Rounding * double{ probe.offset } ||
+      this->ShareAPoint(probe.facet, hit.facet))
+    {
+      return;
+    }
+    const double unit = 1.0 / this->Surroundings.GetPlacement().scale;
+    const double gap = (double{ probe.offset } - way) * unit;
+    if (this->Found.number++ == 0 || gap < this->Found.gap)
+    {
+      this->Found.facet = probe.facet;
+      this->Found.other = hit.facet;
+      this->Found.gap = gap;
+      this->Found.offset = double{ probe.offset } * unit;
+    }
+  }
+
+  double WayTo(const Ray& ray, const Hit& hit) const
+  {
+    const glm::uvec3& ids = this->Surroundings.Facets()[hit.facet].vertices;
+    const auto corner = [&](unsigned id)
+    { return glm::dvec3(this->Surroundings.Vertices()[id].position); };
+    const glm::dvec3 a = corner(ids.x);
+    const glm::dvec3 end = a + double{ hit.barycentric.y } * (corner(ids.y) - a) +
+      double{ hit.barycentric.z } * (corner(ids.z) - a);
+    return glm::dot(end - glm::dvec3(ray.origin), glm::dvec3(ray.direction));
+  }
+
+  bool ShareAPoint(std::uint32_t one, std::uint32_t other) const
+  {
+    const auto corner = [&](std::uint32_t facet, int c) {
+      return this->Surroundings.Vertices()[this->Surroundings.Facets()[facet].vertices[c]].position;
+    };
+    for (int i = 0; i < 9; ++i)
+    {
+      if (corner(one, i / 3) == corner(other, i % 3))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const Scene& Surroundings;
+  std::vector<Probe> Probes;
+  std::vector<Ray> Rays;
+  ThinGaps Found;
+};
+
+} // namespace
+
+ThinGaps FindThinGaps(const Scene& scene)
+{
+  return Search(scene).Run();
+}
+
+} // namespace PhotonTransport
