@@ -164,7 +164,7 @@ TEST(LargeSite, ThinWallsKeepLightOut)
 // faces are closer than a ray's start, or, farther away, too small for any ray: both is told.
 TEST(LargeSite, GapsThatAreTooThinAreTold)
 {
-  for (const double half : { 50.0, 5e3, 5e4 })
+  for (const double half : { 50.0, 1e3, 5e3, 5e4 })
   {
     const Site site{ half, glm::dvec3(0.0), 4 };
     const auto pane = [&](double x) {
@@ -182,7 +182,7 @@ TEST(LargeSite, GapsThatAreTooThinAreTold)
     const ThinGaps& gaps = scene.Notes().thinGaps;
     SCOPED_TRACE(half);
     EXPECT_EQ(gaps.unresolved, half > 1e4 ? panes : 0u);
-    if (half != 5e3)
+    if (half < 1e3 || half > 1e4)
     {
       EXPECT_EQ(gaps.number, 0u);
       continue;

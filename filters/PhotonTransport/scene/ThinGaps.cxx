@@ -18,7 +18,7 @@ namespace
 constexpr float Narrow = 8.0f;
 
 /// Two facets nearer than this share of an offset, four times the rounding of a coordinate, may be
-/// meant to be in one place.
+/// meant to be in one place, unless a solid body lies between them.
 constexpr double Rounding = 0.125;
 
 /// From where a ray would start at the middle of a facet, back to the facet.
@@ -63,6 +63,12 @@ private:
     const Scene& scene = this->Surroundings;
     return !scene.Materials().empty() &&
       (ScatteringsOf(scene.Materials()[scene.MaterialOfFacet()[facet]]) & Transmissions) != 0;
+  }
+
+  bool IsSolid(std::uint32_t facet) const
+  {
+    const Scene& scene = this->Surroundings;
+    return !scene.Materials().empty() && scene.Materials()[scene.MaterialOfFacet()[facet]].solid;
   }
 
   void Add(std::uint32_t f, bool front)
@@ -114,19 +120,18 @@ private:
     const Facet& other = this->Surroundings.Facets()[hit.facet];
     const bool inFront = probe.front && glm::dot(ray.direction, other.normal) > 0.0f;
     const bool lit = inFront || this->LetsLightThrough(hit.facet) || !probe.front;
-    const double way = this->WayTo(ray, hit);
-    if (!lit || probe.offset - way < Rounding * double{ probe.offset } ||
-      this->ShareAPoint(probe.facet, hit.facet))
+    const double gap = double{ probe.offset } - this->WayTo(ray, hit);
+    const double least = this->IsSolid(probe.facet) ? 0.0 : Rounding * double{ probe.offset };
+    if (!lit || gap < least || this->ShareAPoint(probe.facet, hit.facet))
     {
       return;
     }
     const double unit = 1.0 / this->Surroundings.GetPlacement().scale;
-    const double gap = (double{ probe.offset } - way) * unit;
-    if (this->Found.number++ == 0 || gap < this->Found.gap)
+    if (this->Found.number++ == 0 || gap * unit < this->Found.gap)
     {
       this->Found.facet = probe.facet;
       this->Found.other = hit.facet;
-      this->Found.gap = gap;
+      this->Found.gap = std::max(0.0, gap * unit);
       this->Found.offset = double{ probe.offset } * unit;
     }
   }
