@@ -91,7 +91,12 @@ glm::dvec3 DirectionOf(vtkLuminaireSource* source)
 
 double SizeOf(vtkLuminaireSource* source, int part)
 {
-  return Above0(source->GetSize()[part], 1e30, part == 0 ? "Size[0]" : "Size[1]");
+  const double size = source->GetSize()[part];
+  if (!(size >= 0.0 && size <= 1e30))
+  {
+    Refuse(part == 0 ? "Size[0]" : "Size[1]", Text(size), "within [0, 1e30]");
+  }
+  return size;
 }
 
 double Dimmed(double amount, const char* property, vtkLuminaireSource* source)

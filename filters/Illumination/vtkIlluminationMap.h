@@ -50,6 +50,7 @@
 #include <vector> // for luminaires
 
 class vtkTable;
+struct LuminaireInput;
 
 class VTKILLUMINATION_EXPORT vtkIlluminationMap : public vtkPolyDataAlgorithm
 {
@@ -247,10 +248,13 @@ public:
   ///@{
   /**
    * The photons to stop at, 1 to 1e10, rounded up to a multiple of 2048. Four times as many halve
-   * the noise. Default: 1000000.
+   * the noise. Default: 1000000. The form for doubles is ParaView's, whose properties of whole
+   * numbers end at 2^31; what is no whole number within the range is refused when the filter runs.
    */
-  vtkSetMacro(Photons, vtkIdType);
+  void SetPhotons(vtkIdType photons);
   vtkGetMacro(Photons, vtkIdType);
+  void SetPhotonsAsDouble(double photons);
+  vtkGetMacro(PhotonsAsDouble, double);
   ///@}
 
   ///@{
@@ -459,6 +463,7 @@ protected:
   std::string ExitanceArray;
   int Registration = VERTEX_NORMALISED;
   vtkIdType Photons = 1000000;
+  double PhotonsAsDouble = 1e6;
   double TargetRelativeError = 0.0;
   double TimeLimit = 0.0;
   int Seed = 1;
@@ -484,7 +489,7 @@ private:
   vtkIlluminationMap(const vtkIlluminationMap&) = delete;
   void operator=(const vtkIlluminationMap&) = delete;
 
-  using Luminaires = std::vector<vtkPolyData*>;
+  using Luminaires = std::vector<LuminaireInput>;
   void Trace(
     vtkDataObject* input, const Luminaires& luminaires, vtkDataObject* output, vtkTable* accuracy);
   std::string WhatShapesTheMap(vtkDataObject* input, const Luminaires& luminaires);

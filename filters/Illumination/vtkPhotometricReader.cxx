@@ -2,6 +2,8 @@
 #include "vtkPhotometricReader.h"
 
 #include "FieldArrays.h"
+#include "LuminaireFields.h"
+#include "LuminairePlace.h"
 #include "PhotometricSurface.h"
 
 #include "PhotonTransport/photometry/PhotometricFile.h"
@@ -12,6 +14,7 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <new>
 
@@ -71,6 +74,12 @@ int vtkPhotometricReader::RequestData(
     const PhotometricSolid solid = PhotonTransport::ReadPhotometricFile(this->FileName);
     DrawPhotometricSolid(solid, this->Size, surface);
     AddFields(solid, surface->GetFieldData());
+    // Where the solid is drawn: at the origin, aiming along -z.
+    PhotonTransport::PhotometricLamp lamp;
+    lamp.solid = solid;
+    AddLuminaire(
+      surface->GetFieldData(), { lamp, std::filesystem::path(this->FileName).stem().string() });
+    RememberPlace(surface);
   }
   catch (const PhotonTransport::PhotometricFileError& error)
   {

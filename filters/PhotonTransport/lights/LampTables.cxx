@@ -105,6 +105,18 @@ double SunZenithAngle(const CieSky& sky)
   return angle;
 }
 
+glm::dvec3 WidthAxis(const RectangleLamp& lamp, const glm::dvec3& aim)
+{
+  if (lamp.across != glm::dvec3(0.0))
+  {
+    const glm::dvec3 across = CheckedDirection(lamp.across, "lamp width's axis");
+    return CheckedDirection(across - glm::dot(across, aim) * aim, "lamp width's axis");
+  }
+  constexpr double Vertical = 1e-6;
+  const glm::dvec3 across = glm::cross(glm::dvec3(0.0, 0.0, 1.0), aim);
+  return glm::length(across) > Vertical ? glm::normalize(across) : glm::dvec3(1.0, 0.0, 0.0);
+}
+
 LampAxes AxesOf(const glm::dvec3& aim, double rotation)
 {
   // The lamp turned about its aim while it still looks down, where x, y and -z are its axes ...
