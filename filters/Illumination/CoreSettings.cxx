@@ -210,7 +210,7 @@ PhotonTransport::StopRules RulesOf(vtkIlluminationMap* filter)
 {
   PhotonTransport::StopRules rules;
   const double photons = filter->GetPhotonsAsDouble();
-  if (photons != std::floor(photons)) // NaN too; the core refuses what is out of range
+  if (!std::isfinite(photons) || photons != std::floor(photons)) // the core refuses other ranges
   {
     std::ostringstream message;
     message << "the number of photons is " << photons << "; it must be a whole number";

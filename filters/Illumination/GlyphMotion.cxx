@@ -108,14 +108,14 @@ GlyphMotion FindMotion(const Points& was, const Points& is)
     motion.after = is.front();
     return motion;
   }
+  if (!(size <= LargestSize))
+  {
+    throw InputError("its points are not finite, or too far apart");
+  }
   if (!(size >= SmallestSize))
   {
     throw InputError(
       "its points were all moved to one place, so that nothing says how it is turned");
-  }
-  if (!(size <= LargestSize))
-  {
-    throw InputError("its points are not finite, or too far apart");
   }
   const Fit proper = BestFit(from, to);
   Fit mirrored = BestFit(from, Relative(is, -1.0)); // a mirror image is a point reflection, turned
