@@ -330,6 +330,12 @@ void CheckErrors(Checks& check)
   source->Update();
   check(source->GetOutput()->GetNumberOfPoints() > 0, "what a type does not use is not looked at");
   source = Source(vtkLuminaireSource::CIE_SKY);
+  for (const int type : { 0, 17 })
+  {
+    source->SetSkyType(type);
+    Expect(source, "SkyType is " + std::to_string(type) + "; it must be within 1 to 16", check);
+  }
+  source->SetSkyType(16);
   source->SetSunAltitude(-5.0);
   Expect(source, "SunAltitude is -5; it must be above 0 and at most 90", check);
   source->SetSunAltitude(5.0);

@@ -142,6 +142,16 @@ glm::dvec3 SunOf(vtkLuminaireSource* source)
     std::sin(altitude) };
 }
 
+int SkyTypeOf(vtkLuminaireSource* source)
+{
+  const int type = source->GetSkyType();
+  if (type < 1 || type > 16)
+  {
+    Refuse("SkyType", std::to_string(type), "within 1 to 16");
+  }
+  return type;
+}
+
 PhotometricLamp PhotometricOf(vtkLuminaireSource* source)
 {
   PhotometricLamp lamp;
@@ -188,8 +198,7 @@ Lamp LampOf(vtkLuminaireSource* source)
       // A hemisphere of luminance L gives pi L on the ground (Lambert).
       return UniformSky{ { 0.0, 0.0, 1.0 }, IlluminanceOf(source) / vtkMath::Pi(), false };
     case vtkLuminaireSource::CIE_SKY:
-      return CieSky{ { 0.0, 0.0, 1.0 }, source->GetSkyType(), SunOf(source),
-        IlluminanceOf(source) };
+      return CieSky{ { 0.0, 0.0, 1.0 }, SkyTypeOf(source), SunOf(source), IlluminanceOf(source) };
     case vtkLuminaireSource::PHOTOMETRIC_FILE:
       return PhotometricOf(source);
     default:

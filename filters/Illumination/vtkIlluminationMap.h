@@ -22,7 +22,8 @@
  *    of Illuminance, from eight independent replicates. Facet size is not in it.
  *  - IlluminanceRGB (lx, 3 components): by colour, where the scene has any; for white light the
  *    three are equal, and 0.2126 R + 0.7152 G + 0.0722 B is Illuminance.
- *  - Illuminance_<name> (lx): from one luminaire, with LampContributions.
+ *  - Illuminance_<name> (lx): from one luminaire, with LampContributions. Luminaires without a
+ * name, or with one that is taken, get one: "Lamp 2", "Spot (2)".
  *  - IlluminanceBack, StandardErrorBack (lx): what arrives on the back, with RegisterBackSide.
  *  - PhotonHits (vtkIdType): photons that hit the front of a facet around the point.
  * and these field data arrays: PhotonsEmitted = PhotonsAbsorbed + PhotonsEscaped + PhotonsCutOff,
@@ -116,9 +117,9 @@ public:
 
   ///@{
   /**
-   * Width and height of a rectangle, or the radius of a disk first, in the data's length unit; >=
-   * 0. The width runs along z x LampDirection (along x for a lamp that shines straight up or down).
-   * Default: (1, 1).
+   * Width and height of a rectangle, or the radius of a disk first, in the data's length unit; 0
+   * or more. With 0 all light comes from one point, or from a line. The width runs along z x
+   * LampDirection (along x for a lamp that shines straight up or down). Default: (1, 1).
    */
   vtkSetVector2Macro(LampSize, double);
   vtkGetVector2Macro(LampSize, double);
@@ -276,7 +277,7 @@ public:
 
   ///@{
   /**
-   * Any number; another one gives independent noise. Default: 1.
+   * Any integer; another one gives independent noise. Default: 1.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -346,9 +347,11 @@ public:
 
   ///@{
   /**
-   * The second, optional, repeatable input: luminaires, from vtkLuminaireSource, or surfaces that
-   * shine by a cell array "Exitance" (lm/m^2) but are no part of the scene. With any of them the
-   * filter's own lamp is off.
+   * The second, optional, repeatable input: luminaires, from vtkLuminaireSource or
+   * vtkPhotometricReader, or surfaces that shine by a cell array "Exitance" (lm/m^2) but are no
+   * part of the scene; or composite data sets, of which every block that is not empty is one of
+   * these. Luminaires go where filters move their points. With any of them the filter's own lamp is
+   * off.
    */
   void AddLuminaireConnection(vtkAlgorithmOutput* luminaire);
   void RemoveAllLuminaires();
