@@ -312,6 +312,23 @@ void CheckErrors(Site& site)
   site.ExpectError("both the field data of a luminaire and a cell array 'Exitance'");
 }
 
+/// A lamp that is connected as a part of the scene is a surface, and a note says so.
+void CheckLampInTheScene(Checks& check)
+{
+  vtkNew<vtkMultiBlockDataSet> scene;
+  scene->SetBlock(0, Floor());
+  scene->SetBlock(1, Lamp(vtkLuminaireSource::DISK, 1000.0, ""));
+  vtkNew<vtkIlluminationMap> filter;
+  filter->SetInputData(scene);
+  filter->SetPhotons(2048);
+  filter->Update();
+  const std::string notes = FieldText(filter->GetOutputDataObject(0), "Notes");
+  check(
+    notes.find("the surface of block 2 is, or was appended to, a luminaire") != std::string::npos &&
+      notes.find("the surface of block 1 is") == std::string::npos,
+    "a note on the lamp among the surfaces, not '" + notes + "'");
+}
+
 /// Names of the arrays of lamps with these names.
 void CheckNames(Site& site, Checks& check, const std::vector<const char*>& given,
   const std::vector<const char*>& expected)
@@ -340,6 +357,7 @@ int TestLuminaireGroups(int, char*[])
   CheckMovedGroup(site);
   CheckReader(site, check);
   CheckErrors(site);
+  CheckLampInTheScene(check);
   CheckNames(site, check, { "Lamp 2", "" }, { "Lamp 2", "Lamp 2 (2)" });
   CheckNames(site, check, { "", " ", "" }, { "Lamp 1", "Lamp 2", "Lamp 3" });
   CheckNames(site, check, { "A", "A", "A (2)", "A" }, { "A", "A (2)", "A (3)", "A (4)" });

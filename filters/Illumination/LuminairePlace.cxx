@@ -140,7 +140,8 @@ void RequireTheWhole(double found, double whole)
 {
   if (found > whole * (1.0 + MeasureTolerance))
   {
-    throw InputError(std::string("its geometry is there more than once") + Advice);
+    throw InputError(
+      std::string("its geometry has grown, as if it were there more than once") + Advice);
   }
   if (!(found >= whole * (1.0 - MeasureTolerance)))
   {
