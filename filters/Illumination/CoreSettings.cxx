@@ -147,8 +147,7 @@ PhotonTransport::Luminaire LuminaireOf(const LuminaireInput& input)
   {
     throw InputError(input.name +
       " is none: it has neither the field data of a luminaire nor a cell array 'Exitance'. "
-      "Luminaires "
-      "lose theirs in filters like Append Geometry; Group Datasets keeps them");
+      "Luminaires lose theirs in filters like Append Geometry; Group Datasets keeps them");
   }
   return *std::move(luminaire);
 }
