@@ -59,6 +59,10 @@ TEST(Emitter, RefusesLampsThatMakeNoSense)
   ExpectRefused(SpotLamp{ glm::dvec3(0.0), glm::dvec3(1.0), 2.0, 1.0, 1.0 }, "half-angle 114");
   ExpectRefused(SpotLamp{ glm::dvec3(0.0), glm::dvec3(1.0), 1.0, -1.0, 1.0 }, "exponent -1");
   ExpectRefused(RectangleLamp{ glm::dvec3(0.0), glm::dvec3(1.0), -2.0, 1.0, 1.0 }, "width -2");
+  ExpectRefused(RectangleLamp{ glm::dvec3(0.0), glm::dvec3(1.0), 2.0, 1.0, 1.0, glm::dvec3(1.0) },
+    "lamp width's axis");
+  ExpectRefused(RectangleLamp{ glm::dvec3(0.0), glm::dvec3(1.0), 2.0, 1.0, 1.0, { nan, 0.0, 0.0 } },
+    "lamp width's axis");
   ExpectRefused(DiskLamp{ glm::dvec3(0.0), glm::dvec3(1.0), nan, 1.0 }, "radius");
   ExpectRefused(EmittingFacets{}, "no facet has an exitance");
 }
@@ -124,6 +128,25 @@ TEST(Emitter, RectangleLiesAsDocumented)
   EXPECT_NEAR(high.x - low.x, 0.0f, 1e-6f);
   EXPECT_NEAR(high.y - low.y, 0.8f, 0.002f);
   EXPECT_NEAR(high.z - low.z, 0.2f, 0.002f);
+}
+
+// The same rectangle with its width along z instead: what is not in its plane does not count.
+TEST(Emitter, RectangleIsAsWideAsTold)
+{
+  const Scene scene(Shapes::Box(glm::dvec3(-1.0), glm::dvec3(1.0), 1, Facing::Inward));
+  const Emitter emitter(RectangleLamp{ glm::dvec3(-0.5, 0.0, 0.0), glm::dvec3(7.0, 0.0, 0.0), 0.8,
+                          0.2, 10.0, glm::dvec3(5.0, 0.0, 3.0) },
+    scene);
+  glm::vec3 low(1.0f), high(-1.0f);
+  ForPhotons(emitter, 1 << 12,
+    [&](const Ray& ray)
+    {
+      low = glm::min(low, ray.origin);
+      high = glm::max(high, ray.origin);
+    });
+  EXPECT_NEAR(high.x - low.x, 0.0f, 1e-6f);
+  EXPECT_NEAR(high.y - low.y, 0.2f, 0.002f);
+  EXPECT_NEAR(high.z - low.z, 0.8f, 0.002f);
 }
 
 TEST(Emitter, FacetsShineByTheirFlux)

@@ -4,6 +4,7 @@
 #include "TestTools.h"
 
 #include "LuminaireFields.h"
+#include "SceneBlocks.h"
 #include "vtkLuminaireSource.h"
 
 #include "vtkNew.h"
@@ -113,14 +114,14 @@ void CheckPoints(Checks& check)
   check(spot.exponent == 1.5, "spot's exponent");
   const double radius = 0.75 * std::sqrt(0.75);
   CheckBounds(source, Position - glm::dvec3(0.0, radius, radius),
-    Position + glm::dvec3(0.375, radius, radius), check, radius * (1.0 - std::cos(Pi / 48.0)));
+    Position + glm::dvec3(0.75, radius, radius), check, radius * (1.0 - std::cos(Pi / 48.0)));
 }
 
-/// Whether the first cell faces the side to which the panel shines.
+/// Whether the first polygon faces the side to which the panel shines.
 bool FacesItsLight(vtkPolyData* panel)
 {
   double normal[3];
-  vtkCell* cell = panel->GetCell(0);
+  vtkCell* cell = panel->GetCell(panel->GetNumberOfLines());
   vtkPolygon::ComputeNormal(cell->GetPoints(), normal);
   return normal[0] > 0.999;
 }
@@ -131,19 +132,20 @@ void CheckAreas(Checks& check)
   const auto rectangle = Described<RectangleLamp>(source, check);
   check(rectangle.centre == Position && rectangle.direction == Direction, "rectangle's place");
   check(rectangle.width == 0.5 && rectangle.height == 0.25 && rectangle.flux == Flux, "rectangle");
+  // The width along z x direction = y; a line along the light, half as long as the mean side.
   CheckBounds(source, Position - glm::dvec3(0.0, 0.25, 0.125),
-    Position + glm::dvec3(0.0, 0.25, 0.125), check); // the width along z x direction = y
+    Position + glm::dvec3(0.1875, 0.25, 0.125), check);
   check(FacesItsLight(source->GetOutput()), "the rectangle faces its light");
   source->SetDirection(0.0, 0.0, -1.0);
   source->Update();
-  CheckBounds(source, Position - glm::dvec3(0.25, 0.125, 0.0),
+  CheckBounds(source, Position - glm::dvec3(0.25, 0.125, 0.1875),
     Position + glm::dvec3(0.25, 0.125, 0.0), check);
 
   source = Source(vtkLuminaireSource::DISK);
   const auto disk = Described<DiskLamp>(source, check);
   check(disk.centre == Position && disk.direction == Direction, "disk's place");
   check(disk.radius == 0.5 && disk.flux == Flux, "disk");
-  CheckBounds(source, Position - glm::dvec3(0.0, 0.5, 0.5), Position + glm::dvec3(0.0, 0.5, 0.5),
+  CheckBounds(source, Position - glm::dvec3(0.0, 0.5, 0.5), Position + glm::dvec3(0.5, 0.5, 0.5),
     check, 0.5 * (1.0 - std::cos(Pi / 48.0)));
   check(FacesItsLight(source->GetOutput()), "the disk faces its light");
 
@@ -158,6 +160,23 @@ void CheckAreas(Checks& check)
   check(line.length == 0.5 && line.flux == Flux, "line");
   CheckBounds(
     source, Position - glm::dvec3(0.25, 0.0, 0.0), Position + glm::dvec3(0.25, 0.0, 0.0), check);
+}
+
+/// All light from one point: drawn as point-like lamps are.
+void CheckWithoutSize(Checks& check)
+{
+  for (const int type : { vtkLuminaireSource::RECTANGLE, vtkLuminaireSource::DISK,
+         vtkLuminaireSource::SPHERE, vtkLuminaireSource::LINE })
+  {
+    auto source = Source(type);
+    source->SetSize(0.0, 0.0);
+    source->Update();
+    double bounds[6];
+    source->GetOutput()->GetBounds(bounds);
+    check(std::fabs(bounds[1] - bounds[0] - 0.75) < 1e-6,
+      "type " + std::to_string(type) + " without a size is as long as its glyph");
+    check(ReadLuminaire(source->GetOutput()).has_value(), "and is a lamp");
+  }
 }
 
 void CheckSkies(Checks& check)
@@ -253,8 +272,18 @@ void Expect(vtkLuminaireSource* source, const std::string& words, Checks& check)
   check(errors->Count == 1, "one error: " + words);
   check(error.find(words) != std::string::npos, "expected '" + words + "', not '" + error + "'");
   check(source->GetOutput()->GetNumberOfPoints() == 0 &&
-      source->GetOutput()->GetFieldData()->GetNumberOfArrays() == 0,
+      !source->GetOutput()->GetFieldData()->HasArray("LuminaireType"),
     "an empty output after: " + words);
+  std::string refusal;
+  try
+  {
+    ReadLuminaire(source->GetOutput());
+  }
+  catch (const InputError& again)
+  {
+    refusal = again.what();
+  }
+  check(refusal.find(words) != std::string::npos, "who reads it hears of: " + words);
 }
 
 void CheckErrors(Checks& check)
@@ -295,12 +324,18 @@ void CheckErrors(Checks& check)
   check(source->GetOutput()->GetNumberOfPoints() > 0, "after errors the source works");
 
   source = Source(vtkLuminaireSource::RECTANGLE);
-  source->SetSize(1.0, 0.0);
-  Expect(source, "Size[1] is 0", check);
+  source->SetSize(1.0, -1.0);
+  Expect(source, "Size[1] is -1; it must be within [0, 1e30]", check);
   source->SetType(vtkLuminaireSource::DISK); // which does not use it
   source->Update();
   check(source->GetOutput()->GetNumberOfPoints() > 0, "what a type does not use is not looked at");
   source = Source(vtkLuminaireSource::CIE_SKY);
+  for (const int type : { 0, 17 })
+  {
+    source->SetSkyType(type);
+    Expect(source, "SkyType is " + std::to_string(type) + "; it must be within 1 to 16", check);
+  }
+  source->SetSkyType(16);
   source->SetSunAltitude(-5.0);
   Expect(source, "SunAltitude is -5; it must be above 0 and at most 90", check);
   source->SetSunAltitude(5.0);
@@ -319,6 +354,7 @@ int TestLuminaireSource(int, char*[])
   Checks check;
   CheckPoints(check);
   CheckAreas(check);
+  CheckWithoutSize(check);
   CheckSkies(check);
   CheckPhotometric(check);
   CheckFarAway(check);

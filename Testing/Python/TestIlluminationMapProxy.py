@@ -42,7 +42,7 @@ NOT_DEFAULT = {
     "GroupMeans": (1, True),
     "MetresPerUnit": 0.001,
     "FeatureAngle": 60.0,
-    "Photons": 2000000000,
+    "Photons": 5000000000.0,
     "TargetRelativeError": 0.02,
     "TimeLimit": 60.0,
     "Seed": 7,
@@ -159,11 +159,29 @@ def test_luminaires_replace_the_own_lamp_and_survive_a_state():
     assert servermanager.Fetch(again).GetPointData().GetArray("Illuminance_Lamp")
 
 
-def accepted(source):
+def test_photons_are_whole_numbers_up_to_1e10():
+    proxy = IlluminationMap(Input=surface_with_cell_arrays(), TimeLimit=1e-6)
+    proxy.UpdateVTKObjects()
+    errors = []
+    proxy.GetClientSideObject().AddObserver("ErrorEvent", lambda *_: errors.append(proxy.Photons))
+    for photons in (1, 1e6, 2**31, 10**10):
+        proxy.Photons = photons
+        proxy.UpdatePipeline()
+        assert proxy.GetClientSideObject().GetPhotons() == photons
+        assert proxy.PointData.GetArray("Illuminance") is not None, photons
+    assert not errors, errors
+    for number, photons in enumerate((1.5, float("nan"), float("inf"), 0, -1, 10**10 + 1, 1e300), 1):
+        proxy.Photons = photons
+        proxy.UpdatePipeline()
+        assert len(errors) == number, (photons, errors)
+        assert proxy.PointData.GetArray("Illuminance") is None, photons
+
+
+def accepted(source, port="Input"):
     """Whether ParaView's menu offers the filter for this source."""
     source.UpdatePipeline()
     manager = servermanager.ProxyManager().SMProxyManager
-    input_property = manager.NewProxy("filters", "IlluminationMap").GetProperty("Input")
+    input_property = manager.NewProxy("filters", "IlluminationMap").GetProperty(port)
     input_property.AddUncheckedInputConnection(source.SMProxy, 0)
     return bool(input_property.IsInDomains())
 
@@ -184,6 +202,13 @@ sphere.Update()
 output.SetPartition({index}, sphere.GetOutput())
 """
         assert accepted(blocks), kind
+
+
+def test_menu_offers_lamps_and_groups_of_them_as_luminaires():
+    lamps = [Luminaire(Type="Point"), Luminaire(Type="Spot")]
+    assert accepted(lamps[0], "Luminaires")
+    assert accepted(simple.GroupDatasets(Input=lamps), "Luminaires")
+    assert not accepted(simple.Wavelet(), "Luminaires")
 
 
 def test_state_brings_everything_back():

@@ -65,6 +65,79 @@ def test_the_lamp_arrives_as_it_is_set():
     assert abs(lamp.GetBounds()[1] - 1.5) < 0.01, lamp.GetBounds()
 
 
+def test_choices_are_set_by_number_too():
+    proxy = Luminaire(Type=9, SkyType=12)
+    proxy.UpdateVTKObjects()
+    assert proxy.Type == "CIE Sky" and proxy.GetClientSideObject().GetSkyType() == 12
+    for name, choices in (("Type", range(11)), ("SkyType", range(1, 17))):
+        for number in choices:
+            setattr(proxy, name, number)
+            proxy.UpdateVTKObjects()
+            assert getattr(proxy.GetClientSideObject(), "Get" + name)() == number, (name, number)
+
+
+def lit_by(lamps, **properties):
+    """The arrays of a floor under these lamps, and the errors."""
+    floor = simple.Plane(XResolution=4, YResolution=4)
+    proxy = IlluminationMap(Input=floor, Luminaires=lamps, LampContributions=1, Photons=20000, **properties)
+    proxy.UpdateVTKObjects()
+    errors = []
+    proxy.GetClientSideObject().AddObserver("ErrorEvent", lambda *_: errors.append(1))
+    proxy.UpdatePipeline()
+    output = servermanager.Fetch(proxy)
+    assert output.IsA("vtkPolyData"), output.GetClassName()
+    return output.GetPointData(), errors
+
+
+def same(a, b):
+    """Whether maps agree to 1e-6 of their brightest point: moving a lamp costs rounding."""
+    brightest = max(a.GetValue(i) for i in range(a.GetNumberOfTuples()))
+    return brightest > 0 and all(
+        abs(a.GetValue(i) - b.GetValue(i)) <= 1e-6 * brightest for i in range(a.GetNumberOfTuples()))
+
+
+def test_transform_moves_the_lamp():
+    here = Luminaire(Type="Rectangle", Position=[0.2, 0, 0.5], Size=[0.4, 0.1])
+    there = Luminaire(Type="Rectangle", Position=[0, 0, 0], Size=[0.2, 0.05])
+    moved = simple.Transform(Input=there)
+    moved.Transform.Translate = [0.2, 0, 0.5]
+    moved.Transform.Scale = [2, 2, 2]
+    expected, _ = lit_by([here])
+    found, errors = lit_by([moved])
+    assert not errors and same(expected.GetArray("Illuminance"), found.GetArray("Illuminance"))
+    not_moved = simple.Transform(Input=here)
+    found, _ = lit_by([not_moved])
+    for i in range(25):  # to the last bit
+        assert expected.GetArray("Illuminance").GetValue(i) == found.GetArray("Illuminance").GetValue(i)
+    moved.Transform.Scale = [2, 2, 1]
+    found, errors = lit_by([moved])
+    assert len(errors) == 1 and not found.HasArray("Illuminance")
+
+
+def test_every_block_of_a_group_is_a_lamp():
+    lamps = [Luminaire(Type="Point", LuminaireName=name, Position=[x, 0, 0.5])
+             for name, x in (("A", -0.3), ("B", 0.3))]
+    expected, _ = lit_by(lamps)
+    group = simple.GroupDatasets(Input=lamps)
+    for wired in ([group], [simple.GroupDatasets(Input=[group])],
+                  [simple.Clean(Input=group)], [simple.Transform(Input=group)]):
+        found, errors = lit_by(wired)
+        for name in ("Illuminance", "Illuminance_A", "Illuminance_B"):
+            assert not errors and same(expected.GetArray(name), found.GetArray(name)), name
+
+
+def test_what_loses_lamps_is_refused():
+    lamp, other = Luminaire(Type="Point", Position=[0, 0, 1]), Luminaire(Type="Disk")
+    passed = simple.PassArrays(Input=lamp)
+    passed.PointDataArrays = []
+    for broken in (simple.AppendGeometry(Input=[lamp, other]), simple.AppendGeometry(Input=[lamp, lamp]),
+                   simple.AppendGeometry(Input=[lamp, simple.Plane()]),
+                   simple.AppendGeometry(Input=[simple.Plane(), lamp]),
+                   simple.MergeBlocks(Input=simple.GroupDatasets(Input=[lamp, other])), passed):
+        found, errors = lit_by([broken])
+        assert len(errors) == 1 and not found.HasArray("Illuminance"), broken.GetXMLName()
+
+
 if __name__ == "__main__":
     for test_name, test in list(globals().items()):
         if test_name.startswith("test_"):

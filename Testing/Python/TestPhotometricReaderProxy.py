@@ -39,6 +39,22 @@ def test_defaults_of_proxy_and_class_agree():
     assert not proxy.GetClientSideObject().GetFileName()
 
 
+def test_its_output_is_a_lamp():
+    floor = simple.Plane(XResolution=4, YResolution=4)
+    maps = []
+    above = simple.Transform(Input=PhotometricReader(FileName=data_file("lateral.ldt")))
+    above.Transform.Translate = [0, 0, 0.5]
+    by_name = Luminaire(Type="Photometric File", FileName=data_file("lateral.ldt"), Position=[0, 0, 0.5])
+    for lamp in (above, by_name):
+        proxy = IlluminationMap(Input=floor, Luminaires=[lamp], Photons=20000)
+        proxy.UpdatePipeline()
+        maps.append(servermanager.Fetch(proxy).GetPointData().GetArray("Illuminance"))
+    brightest = maps[0].GetRange()[1]
+    assert brightest > 0
+    for i in range(maps[0].GetNumberOfTuples()):
+        assert abs(maps[0].GetValue(i) - maps[1].GetValue(i)) <= 1e-6 * brightest, i
+
+
 if __name__ == "__main__":
     for test_name, test in list(globals().items()):
         if test_name.startswith("test_"):

@@ -21,7 +21,7 @@ CASES = {
 SUITES = {  # those whose names do not tell the case
     "FilterNormals": 2, "FilterShapes": 3, "FilterSheets": 3, "FilterPlace": 4, "FilterInput": 10,
     "FilterLife": 10, "FilterDeletion": 10, "FilterSettings": 10, "Fuzz": 11, "FilterFuzz": 11,
-    "FilterMemory": 12,
+    "FilterMemory": 12, "FilterWiring": 7,
 }
 
 

@@ -2,6 +2,7 @@
 #include "CoreSettings.h"
 
 #include "LuminaireFields.h"
+#include "LuminaireInput.h"
 
 #include "vtkIlluminationMap.h"
 #include "vtkIlluminationMapSmoothing.h"
@@ -83,19 +84,33 @@ PhotonTransport::Lamp LampOf(vtkIlluminationMap* filter)
   }
 }
 
-/// Each name once, and none empty: "Lamp 2", "Spot (2)".
+bool IsBlank(const std::string& name)
+{
+  return name.find_first_not_of(" \t\r\n") == std::string::npos;
+}
+
+/// Each name once, and none blank: "Lamp 2", "Spot (2)". Names that are given and not yet taken
+/// stay as they are, wherever they stand.
 void GiveNames(std::vector<PhotonTransport::Luminaire>& luminaires)
 {
   std::set<std::string> taken;
+  std::vector<std::size_t> rest;
   for (std::size_t i = 0; i < luminaires.size(); ++i)
   {
-    const std::string given = luminaires[i].name;
-    std::string name = given.empty() ? "Lamp " + std::to_string(i + 1) : given;
+    if (IsBlank(luminaires[i].name) || !taken.insert(luminaires[i].name).second)
+    {
+      rest.push_back(i);
+    }
+  }
+  for (const std::size_t i : rest)
+  {
+    std::string& name = luminaires[i].name;
+    const std::string wanted = IsBlank(name) ? "Lamp " + std::to_string(i + 1) : name;
+    name = wanted;
     for (int copy = 2; !taken.insert(name).second; ++copy)
     {
-      name = given + " (" + std::to_string(copy) + ")";
+      name = wanted + " (" + std::to_string(copy) + ")";
     }
-    luminaires[i].name = name;
   }
 }
 
@@ -115,6 +130,26 @@ PhotonTransport::Material MaterialOf(vtkIlluminationMap* filter)
   material.refractiveIndex = Checked(filter->GetRefractiveIndex(), 1.0, 4.0, "RefractiveIndex");
   material.solid = filter->GetSolidBody();
   return material;
+}
+
+PhotonTransport::Luminaire LuminaireOf(const LuminaireInput& input)
+{
+  std::optional<PhotonTransport::Luminaire> luminaire;
+  try
+  {
+    luminaire = ReadLuminaire(input.data);
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(input.name + ": " + error.what());
+  }
+  if (!luminaire)
+  {
+    throw InputError(input.name +
+      " is none: it has neither the field data of a luminaire nor a cell array 'Exitance'. "
+      "Luminaires lose theirs in filters like Append Geometry; Group Datasets keeps them");
+  }
+  return *std::move(luminaire);
 }
 
 PhotonTransport::ScatteringSet SwitchedOn(vtkIlluminationMap* filter)
@@ -138,22 +173,16 @@ PhotonTransport::ScatteringSet SwitchedOn(vtkIlluminationMap* filter)
 } // namespace
 
 PhotonTransport::Lighting LightingOf(
-  vtkIlluminationMap* filter, const std::vector<vtkPolyData*>& luminaires)
+  vtkIlluminationMap* filter, const std::vector<LuminaireInput>& luminaires)
 {
   if (luminaires.empty())
   {
     return LampOf(filter);
   }
   PhotonTransport::Lighting lighting;
-  for (vtkPolyData* data : luminaires)
+  for (const LuminaireInput& input : luminaires)
   {
-    std::optional<PhotonTransport::Luminaire> luminaire = ReadLuminaire(data);
-    if (!luminaire)
-    {
-      throw InputError("luminaire " + std::to_string(lighting.luminaires.size() + 1) +
-        " is none: it has neither the field data of a luminaire nor a cell array 'Exitance'");
-    }
-    lighting.luminaires.push_back(std::move(*luminaire));
+    lighting.luminaires.push_back(LuminaireOf(input));
   }
   GiveNames(lighting.luminaires);
   return lighting;
@@ -179,6 +208,13 @@ PhotonTransport::TraceSettings SettingsOf(vtkIlluminationMap* filter)
 PhotonTransport::StopRules RulesOf(vtkIlluminationMap* filter)
 {
   PhotonTransport::StopRules rules;
+  const double photons = filter->GetPhotonsAsDouble();
+  if (!std::isfinite(photons) || photons != std::floor(photons)) // the core refuses other ranges
+  {
+    std::ostringstream message;
+    message << "the number of photons is " << photons << "; it must be a whole number";
+    throw InputError(message.str());
+  }
   rules.photons = Count<std::uint64_t>(filter->GetPhotons(), "number of photons");
   rules.relativeError = filter->GetTargetRelativeError();
   rules.seconds = filter->GetTimeLimit();

@@ -11,12 +11,12 @@
 
 class vtkIlluminationMap;
 class vtkIlluminationMapSmoothing;
-class vtkPolyData;
+struct LuminaireInput;
 
 /// Throws InputError for data that describe no luminaire, or a wrong one.
 /// @param luminaires What is connected; the filter's own lamp serves if nothing is.
 PhotonTransport::Lighting LightingOf(
-  vtkIlluminationMap* filter, const std::vector<vtkPolyData*>& luminaires);
+  vtkIlluminationMap* filter, const std::vector<LuminaireInput>& luminaires);
 PhotonTransport::TraceSettings SettingsOf(vtkIlluminationMap* filter);
 PhotonTransport::StopRules RulesOf(vtkIlluminationMap* filter);
 

@@ -2,6 +2,7 @@
 #include "IlluminationArrays.h"
 
 #include "FieldArrays.h"
+#include "LuminaireFields.h"
 #include "PointMapping.h"
 #include "SceneBlocks.h"
 
@@ -250,6 +251,12 @@ std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTranspor
     if (block.normalsWereComputed)
     {
       notes.push_back("the points" + block.name + " had no normals; they were computed");
+    }
+    if (HasLuminaireFields(block.data->GetFieldData()))
+    {
+      notes.push_back("the surface" + block.name +
+        " is, or was appended to, a luminaire: it stops light like any other surface, and shines "
+        "only if it is connected to Luminaires");
     }
     if (block.uncut.number > 0)
     {

@@ -3,7 +3,10 @@
 
 #include "EmittingSurface.h"
 #include "FieldValues.h"
+#include "LuminairePlace.h"
+#include "MovedLamp.h"
 
+#include "vtkCellData.h"
 #include "vtkMath.h"
 #include "vtkPolyData.h"
 #include "vtkType.h"
@@ -19,6 +22,9 @@ namespace
 {
 
 using namespace PhotonTransport;
+
+constexpr const char* Type = "LuminaireType";
+constexpr const char* Error = "LuminaireError";
 
 // What a lamp consists of, once for FieldWriter and FieldReader. A value that fields hold in other
 // terms is put into these terms, passed, and taken back from them.
@@ -250,7 +256,7 @@ const std::vector<Kind>& Kinds()
 Luminaire ReadFields(const FieldReader& fields)
 {
   std::string type;
-  fields("LuminaireType", type);
+  fields(Type, type);
   std::string known;
   for (const Kind& kind : Kinds())
   {
@@ -262,7 +268,7 @@ Luminaire ReadFields(const FieldReader& fields)
     }
     known += (known.empty() ? "" : ", ") + std::string(kind.name);
   }
-  RefuseField("LuminaireType", "is '" + type + "'; known types are " + known);
+  RefuseField(Type, "is '" + type + "'; known types are " + known);
 }
 
 } // namespace
@@ -276,16 +282,46 @@ void AddLuminaire(vtkFieldData* fields, const Luminaire& luminaire)
     throw InputError("emitting surfaces are not described by field data");
   }
   const FieldWriter writer(fields);
-  writer("LuminaireType", std::string(kind->name));
+  writer(Type, std::string(kind->name));
   Luminaire passed = luminaire;
   Pass(writer, passed);
 }
 
+void AddLuminaireError(vtkFieldData* fields, const std::string& error)
+{
+  AddArray(fields, Error, std::vector<std::string>{ error });
+}
+
+bool HasLuminaireFields(vtkFieldData* fields)
+{
+  return fields->HasArray(Type) || fields->HasArray(Error);
+}
+
 std::optional<Luminaire> ReadLuminaire(vtkPolyData* data)
 {
-  if (data->GetFieldData()->GetAbstractArray("LuminaireType"))
+  vtkFieldData* fields = data->GetFieldData();
+  if (fields->HasArray(Error))
   {
-    return ReadFields(FieldReader(data->GetFieldData()));
+    std::string error;
+    FieldReader reader(fields);
+    reader(Error, error);
+    throw InputError("its source has an error: " + error);
+  }
+  if (HasLuminairePoints(data) && !fields->HasArray(Type))
+  {
+    throw InputError("it has a luminaire's points but lost the field data that describe it, in a "
+                     "filter that does not keep them; connect the luminaire before that filter");
+  }
+  if (fields->HasArray(Type))
+  {
+    Luminaire luminaire = ReadFields(FieldReader(fields));
+    if (data->GetCellData()->HasArray("Exitance"))
+    {
+      throw InputError("it has both the field data of a luminaire and a cell array 'Exitance'; "
+                       "remove one of them to say which of them shines");
+    }
+    luminaire.lamp = Moved(luminaire.lamp, MotionOf(data));
+    return luminaire;
   }
   return ReadEmittingSurface(data);
 }

@@ -69,6 +69,19 @@ vtkSmartPointer<vtkPolyData> Placed(vtkAlgorithm* source, double scale, const gl
   return placed->GetOutput();
 }
 
+/// A line along the light: it shows to which side a flat thing shines, and tells its mirror image
+/// from its back when points are moved.
+void AddAim(
+  vtkPolyData* glyph, const glm::dvec3& from, const glm::dvec3& unitDirection, double length)
+{
+  const glm::dvec3 to = from + length * unitDirection;
+  const vtkIdType ids[2] = { glyph->GetPoints()->InsertNextPoint(from.x, from.y, from.z),
+    glyph->GetPoints()->InsertNextPoint(to.x, to.y, to.z) };
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell(2, ids);
+  glyph->SetLines(line);
+}
+
 /// From the position on, as long as the glyph.
 vtkSmartPointer<vtkPolyData> Arrow(
   const glm::dvec3& position, const glm::dvec3& direction, double length)
@@ -164,16 +177,18 @@ public:
     cone->SetResolution(Sides);
     cone->CappingOff();
     cone->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-    return Placed(cone, this->Glyph.size, lamp.position, lamp.direction);
+    const Result spot = Placed(cone, this->Glyph.size, lamp.position, lamp.direction);
+    AddAim(spot, lamp.position, Unit(lamp.direction), this->Glyph.size);
+    return spot;
   }
   Result operator()(const RectangleLamp& lamp) const
   {
-    // The same axes as those of the lamp's emitter.
+    if (lamp.width == 0.0 && lamp.height == 0.0)
+    {
+      return Arrow(lamp.centre, lamp.direction, this->Glyph.size);
+    }
     const glm::dvec3 aim = Unit(lamp.direction);
-    const glm::dvec3 across = glm::cross(glm::dvec3(0.0, 0.0, 1.0), aim);
-    constexpr double vertical = 1e-6;
-    const glm::dvec3 axis =
-      glm::length(across) > vertical ? glm::normalize(across) : glm::dvec3(1.0, 0.0, 0.0);
+    const glm::dvec3 axis = WidthAxis(lamp, aim);
     const glm::dvec3 width = axis * (lamp.width / 2.0);
     const glm::dvec3 height = glm::cross(aim, axis) * (lamp.height / 2.0);
 
@@ -191,10 +206,15 @@ public:
     auto panel = Result::New();
     panel->SetPoints(points);
     panel->SetPolys(cells);
+    AddAim(panel, lamp.centre, aim, (lamp.width + lamp.height) / 4.0);
     return panel;
   }
   Result operator()(const DiskLamp& lamp) const
   {
+    if (lamp.radius == 0.0)
+    {
+      return Arrow(lamp.centre, lamp.direction, this->Glyph.size);
+    }
     const glm::dvec3 aim = Unit(lamp.direction);
     vtkNew<vtkRegularPolygonSource> disk;
     disk->SetNumberOfSides(Sides);
@@ -204,11 +224,19 @@ public:
     disk->GeneratePolylineOff();
     disk->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
     disk->Update();
+    AddAim(disk->GetOutput(), lamp.centre, aim, lamp.radius);
     return disk->GetOutput();
   }
-  Result operator()(const SphereLamp& lamp) const { return Ball(lamp.centre, lamp.radius); }
+  Result operator()(const SphereLamp& lamp) const
+  {
+    return Ball(lamp.centre, lamp.radius > 0.0 ? lamp.radius : this->Glyph.size / 2.0);
+  }
   Result operator()(const LineLamp& lamp) const
   {
+    if (lamp.length == 0.0)
+    {
+      return Arrow(lamp.centre, lamp.axis, this->Glyph.size);
+    }
     const glm::dvec3 half = Unit(lamp.axis) * (lamp.length / 2.0);
     const glm::dvec3 from = lamp.centre - half;
     const glm::dvec3 to = lamp.centre + half;

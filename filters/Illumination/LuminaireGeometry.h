@@ -15,11 +15,12 @@ struct LuminaireGlyph
   double size = 0.1;          ///< Data's length unit, > 0.
 };
 
-/// What to show of a lamp, in the data's length unit: panels, balls and lines as they are, an arrow
-/// along parallel light and from a Lambertian point, a ball for a point, an open cone for a spot
+/// What to show of a lamp, in the data's length unit: panels, balls and lines as they are (those of
+/// size 0 as points, by the glyph's), panels with a line along their light; an arrow along parallel
+/// light and from a Lambertian point, a ball for a point, an open cone with its axis for a spot
 /// with its edge one glyph size away, a dome for a sky, and the polar diagram of a photometric
-/// solid with its largest intensity one glyph size long. Finite for a lamp with finite values;
-/// nothing for emitting surfaces.
+/// solid with its largest intensity one glyph size long. Where the lamp depends on how it is
+/// turned, the points tell it. Finite for a lamp with finite values; nothing for emitting surfaces.
 vtkSmartPointer<vtkPolyData> LuminaireGeometry(
   const PhotonTransport::Lamp& lamp, const LuminaireGlyph& glyph);
 

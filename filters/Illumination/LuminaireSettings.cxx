@@ -91,7 +91,12 @@ glm::dvec3 DirectionOf(vtkLuminaireSource* source)
 
 double SizeOf(vtkLuminaireSource* source, int part)
 {
-  return Above0(source->GetSize()[part], 1e30, part == 0 ? "Size[0]" : "Size[1]");
+  const double size = source->GetSize()[part];
+  if (!(size >= 0.0 && size <= 1e30))
+  {
+    Refuse(part == 0 ? "Size[0]" : "Size[1]", Text(size), "within [0, 1e30]");
+  }
+  return size;
 }
 
 double Dimmed(double amount, const char* property, vtkLuminaireSource* source)
@@ -135,6 +140,16 @@ glm::dvec3 SunOf(vtkLuminaireSource* source)
   const double azimuth = vtkMath::RadiansFromDegrees(Finite(source->GetSunAzimuth(), "SunAzimuth"));
   return { std::cos(altitude) * std::sin(azimuth), std::cos(altitude) * std::cos(azimuth),
     std::sin(altitude) };
+}
+
+int SkyTypeOf(vtkLuminaireSource* source)
+{
+  const int type = source->GetSkyType();
+  if (type < 1 || type > 16)
+  {
+    Refuse("SkyType", std::to_string(type), "within 1 to 16");
+  }
+  return type;
 }
 
 PhotometricLamp PhotometricOf(vtkLuminaireSource* source)
@@ -183,8 +198,7 @@ Lamp LampOf(vtkLuminaireSource* source)
       // A hemisphere of luminance L gives pi L on the ground (Lambert).
       return UniformSky{ { 0.0, 0.0, 1.0 }, IlluminanceOf(source) / vtkMath::Pi(), false };
     case vtkLuminaireSource::CIE_SKY:
-      return CieSky{ { 0.0, 0.0, 1.0 }, source->GetSkyType(), SunOf(source),
-        IlluminanceOf(source) };
+      return CieSky{ { 0.0, 0.0, 1.0 }, SkyTypeOf(source), SunOf(source), IlluminanceOf(source) };
     case vtkLuminaireSource::PHOTOMETRIC_FILE:
       return PhotometricOf(source);
     default:

@@ -3,6 +3,7 @@
 
 #include "CoreSettings.h"
 #include "IlluminationArrays.h"
+#include "LuminaireInput.h"
 #include "Pipeline.h"
 #include "SceneBlocks.h"
 
@@ -108,15 +109,37 @@ void vtkIlluminationMap::Update(int port)
   this->Superclass::Update(port);
 }
 
+void vtkIlluminationMap::SetPhotons(vtkIdType photons)
+{
+  if (photons != this->Photons || static_cast<double>(photons) != this->PhotonsAsDouble)
+  {
+    this->Photons = photons;
+    this->PhotonsAsDouble = static_cast<double>(photons);
+    this->Modified();
+  }
+}
+
+void vtkIlluminationMap::SetPhotonsAsDouble(double photons)
+{
+  constexpr double most = 0x1p62; // of what an integer can hold; a run takes 1e10
+  this->SetPhotons(
+    static_cast<vtkIdType>(std::isnan(photons) ? 0.0 : std::clamp(photons, -most, most)));
+  if (static_cast<double>(this->Photons) != photons) // NaN too
+  {
+    this->PhotonsAsDouble = photons;
+    this->Modified();
+  }
+}
+
 /// Everything that the map depends on but for the number of photons.
 std::string vtkIlluminationMap::WhatShapesTheMap(vtkDataObject* input, const Luminaires& luminaires)
 {
   std::ostringstream shape;
   shape.precision(17);
   const auto add = [&](const auto&... values) { ((shape << values << '|'), ...); };
-  for (vtkPolyData* luminaire : luminaires)
+  for (const LuminaireInput& luminaire : luminaires)
   {
-    add(static_cast<const void*>(luminaire), LatestChange(luminaire));
+    add(static_cast<const void*>(luminaire.data), LatestChange(luminaire.data));
   }
   add(this->SpecularReflectance, this->GlossyReflectance, this->DiffuseTransmittance,
     this->ClearTransmittance, this->Roughness, this->RefractiveIndex, this->SolidBody,
@@ -140,7 +163,8 @@ int vtkIlluminationMap::FillInputPortInformation(int port, vtkInformation* info)
     RequireSurfaces(info);
     return 1;
   }
-  info->Set(INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  // Anything: groups as a whole, and what is no luminaire gets an error that names it.
+  info->Set(INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   info->Set(INPUT_IS_OPTIONAL(), 1);
   info->Set(INPUT_IS_REPEATABLE(), 1);
   return 1;
@@ -182,20 +206,13 @@ int vtkIlluminationMap::RequestData(
 {
   // An observer may disconnect the input.
   const vtkSmartPointer<vtkDataObject> in = vtkDataObject::GetData(input[0]);
-  std::vector<vtkSmartPointer<vtkPolyData>> keptAlive;
-  Luminaires luminaires;
-  for (int i = 0; i < input[1]->GetNumberOfInformationObjects(); ++i)
-  {
-    keptAlive.emplace_back(vtkPolyData::GetData(input[1], i));
-    luminaires.push_back(keptAlive.back());
-  }
   vtkDataObject* out = vtkDataObject::GetData(output);
   PassThrough(in, out);
   // An error leaves the input passed through and the pipeline usable: it is said once, here, and
   // not again by the executive, which a return value of 0 would bring about.
   try
   {
-    this->Trace(in, luminaires, out, vtkTable::GetData(output, 1));
+    this->Trace(in, LuminaireInputs(input[1]), out, vtkTable::GetData(output, 1));
   }
   catch (const std::bad_alloc&)
   {

@@ -22,7 +22,8 @@
  *    of Illuminance, from eight independent replicates. Facet size is not in it.
  *  - IlluminanceRGB (lx, 3 components): by colour, where the scene has any; for white light the
  *    three are equal, and 0.2126 R + 0.7152 G + 0.0722 B is Illuminance.
- *  - Illuminance_<name> (lx): from one luminaire, with LampContributions.
+ *  - Illuminance_<name> (lx): from one luminaire, with LampContributions. Luminaires without a
+ * name, or with one that is taken, get one: "Lamp 2", "Spot (2)".
  *  - IlluminanceBack, StandardErrorBack (lx): what arrives on the back, with RegisterBackSide.
  *  - PhotonHits (vtkIdType): photons that hit the front of a facet around the point.
  * and these field data arrays: PhotonsEmitted = PhotonsAbsorbed + PhotonsEscaped + PhotonsCutOff,
@@ -50,6 +51,7 @@
 #include <vector> // for luminaires
 
 class vtkTable;
+struct LuminaireInput;
 
 class VTKILLUMINATION_EXPORT vtkIlluminationMap : public vtkPolyDataAlgorithm
 {
@@ -115,9 +117,9 @@ public:
 
   ///@{
   /**
-   * Width and height of a rectangle, or the radius of a disk first, in the data's length unit; >=
-   * 0. The width runs along z x LampDirection (along x for a lamp that shines straight up or down).
-   * Default: (1, 1).
+   * Width and height of a rectangle, or the radius of a disk first, in the data's length unit; 0
+   * or more. With 0 all light comes from one point, or from a line. The width runs along z x
+   * LampDirection (along x for a lamp that shines straight up or down). Default: (1, 1).
    */
   vtkSetVector2Macro(LampSize, double);
   vtkGetVector2Macro(LampSize, double);
@@ -247,10 +249,13 @@ public:
   ///@{
   /**
    * The photons to stop at, 1 to 1e10, rounded up to a multiple of 2048. Four times as many halve
-   * the noise. Default: 1000000.
+   * the noise. Default: 1000000. The form for doubles is ParaView's, whose properties of whole
+   * numbers end at 2^31; what is no whole number within the range is refused when the filter runs.
    */
-  vtkSetMacro(Photons, vtkIdType);
+  void SetPhotons(vtkIdType photons);
   vtkGetMacro(Photons, vtkIdType);
+  void SetPhotonsAsDouble(double photons);
+  vtkGetMacro(PhotonsAsDouble, double);
   ///@}
 
   ///@{
@@ -272,7 +277,7 @@ public:
 
   ///@{
   /**
-   * Any number; another one gives independent noise. Default: 1.
+   * Any integer; another one gives independent noise. Default: 1.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -342,9 +347,11 @@ public:
 
   ///@{
   /**
-   * The second, optional, repeatable input: luminaires, from vtkLuminaireSource, or surfaces that
-   * shine by a cell array "Exitance" (lm/m^2) but are no part of the scene. With any of them the
-   * filter's own lamp is off.
+   * The second, optional, repeatable input: luminaires, from vtkLuminaireSource or
+   * vtkPhotometricReader, or surfaces that shine by a cell array "Exitance" (lm/m^2) but are no
+   * part of the scene; or composite data sets, of which every block that is not empty is one of
+   * these. Luminaires go where filters move their points. With any of them the filter's own lamp is
+   * off.
    */
   void AddLuminaireConnection(vtkAlgorithmOutput* luminaire);
   void RemoveAllLuminaires();
@@ -459,6 +466,7 @@ protected:
   std::string ExitanceArray;
   int Registration = VERTEX_NORMALISED;
   vtkIdType Photons = 1000000;
+  double PhotonsAsDouble = 1e6;
   double TargetRelativeError = 0.0;
   double TimeLimit = 0.0;
   int Seed = 1;
@@ -484,7 +492,7 @@ private:
   vtkIlluminationMap(const vtkIlluminationMap&) = delete;
   void operator=(const vtkIlluminationMap&) = delete;
 
-  using Luminaires = std::vector<vtkPolyData*>;
+  using Luminaires = std::vector<LuminaireInput>;
   void Trace(
     vtkDataObject* input, const Luminaires& luminaires, vtkDataObject* output, vtkTable* accuracy);
   std::string WhatShapesTheMap(vtkDataObject* input, const Luminaires& luminaires);

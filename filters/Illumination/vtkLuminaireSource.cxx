@@ -3,6 +3,7 @@
 
 #include "LuminaireFields.h"
 #include "LuminaireGeometry.h"
+#include "LuminairePlace.h"
 #include "LuminaireSettings.h"
 
 #include "vtkInformation.h"
@@ -30,10 +31,12 @@ int vtkLuminaireSource::RequestData(
     const PhotonTransport::Luminaire luminaire = LuminaireOf(this);
     out->ShallowCopy(LuminaireGeometry(luminaire.lamp, glyph));
     AddLuminaire(out->GetFieldData(), luminaire);
+    RememberPlace(out);
   }
   catch (const std::exception& error)
   {
     out->Initialize();
+    AddLuminaireError(out->GetFieldData(), error.what());
     vtkErrorMacro(<< error.what());
   }
   return 1; // as vtkIlluminationMap does: an error is said once

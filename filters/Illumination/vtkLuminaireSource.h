@@ -13,13 +13,21 @@
  * PhotometricScale (a factor on them), PhotometricRatedFlux (lm), PhotometricInputPower (W),
  * PhotometricOpening (width, length, height, m), PhotometricDescription.
  *
- * The description says where the lamp is: filters that move the output's points do not move it.
+ * The lamp's place, axes and size travel with the output's points. The point array LuminairePoint
+ * (where each point was made, and a number that tells the lamp from others) and the field array
+ * LuminaireGlyph (that number, area and length of what is drawn) say how filters have moved them.
+ * The lamp may be turned, moved, scaled evenly, and mirrored unless its intensities differ left and
+ * right. An even scale changes the size of panels, balls and lines, and it changes no flux, no
+ * illuminance of the sun or a sky, and no intensity. vtkIlluminationMap refuses what was scaled
+ * unevenly, sheared, bent or rounded by more than 0.1 % of what is drawn, lost these arrays, was
+ * cut, or was appended to another lamp: a composite data set holds several.
  *
- * Panels, balls and lines are shown as they are, by their own size; parallel light and a Lambertian
- * point as an arrow, a point as a ball, a spot as an open cone, a sky as a dome, and a photometric
- * file as its polar diagram with point array LuminousIntensity (cd, before Dimming), by GlyphSize.
- * A property that the type uses and that is out of its range gives one error that names it and its
- * value, and an empty output.
+ * Panels, balls and lines are shown as they are, by their own size, and panels with a line to the
+ * side to which they shine; parallel light and a Lambertian point as an arrow, a point as a ball, a
+ * spot as an open cone with its axis, a sky as a dome, and a photometric file as its polar diagram
+ * with point array LuminousIntensity (cd, before Dimming), by GlyphSize. A property that the type
+ * uses and that is out of its range gives one error that names it and its value, and an output with
+ * nothing but that error, as field data LuminaireError.
  */
 
 #ifndef vtkLuminaireSource_h
@@ -90,8 +98,9 @@ public:
   ///@{
   /**
    * Width and height of a rectangle, or the radius of a disk or ball or the length of a line first,
-   * in the data's length unit; > 0. The width runs along z x Direction (along x for a panel that
-   * shines straight up or down). Default: (1, 1).
+   * in the data's length unit, [0, 1e30]; with 0 all light comes from one point (or, from a
+   * rectangle with one side, from a line). The width runs along z x Direction (along x for a panel
+   * that shines straight up or down). Default: (1, 1).
    */
   vtkSetVector2Macro(Size, double);
   vtkGetVector2Macro(Size, double);
@@ -145,7 +154,7 @@ public:
    * Type of a CIE_SKY, 1 to 15 as ISO 15469 numbers them, or 16, the traditional overcast sky.
    * Default: 1, the CIE standard overcast sky.
    */
-  vtkSetClampMacro(SkyType, int, 1, 16);
+  vtkSetMacro(SkyType, int);
   vtkGetMacro(SkyType, int);
   ///@}
 
@@ -188,9 +197,9 @@ public:
 
   ///@{
   /**
-   * How large that is drawn which has no size of its own, data's length unit, [1e-30, 1e30]: length
-   * of an arrow, edge of a cone, diameter of a point's ball, radius of a dome, largest radius of a
-   * polar diagram. Default: 0.1.
+   * How large that is drawn which has no size of its own, or size 0, data's length unit, [1e-30,
+   * 1e30]: length of an arrow, edge of a cone, diameter of a point's ball, radius of a dome,
+   * largest radius of a polar diagram. Default: 0.1.
    */
   vtkSetMacro(GlyphSize, double);
   vtkGetMacro(GlyphSize, double);

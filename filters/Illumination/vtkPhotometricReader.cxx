@@ -2,7 +2,10 @@
 #include "vtkPhotometricReader.h"
 
 #include "FieldArrays.h"
+#include "LuminaireFields.h"
+#include "LuminairePlace.h"
 #include "PhotometricSurface.h"
+#include "SceneBlocks.h"
 
 #include "PhotonTransport/photometry/PhotometricFile.h"
 
@@ -12,8 +15,12 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <new>
+#include <sstream>
+#include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkPhotometricReader);
 
@@ -56,36 +63,50 @@ int vtkPhotometricReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
   auto* surface = vtkPolyData::GetData(output);
-  if (this->FileName.empty())
-  {
-    vtkErrorMacro("FileName is empty; it must name a photometric file, .ies or .ldt");
-    return 1; // an error is said once: the executive would add its own
-  }
-  if (!(this->Size > 0.0) || !std::isfinite(this->Size))
-  {
-    vtkErrorMacro("Size is " << this->Size << "; it must be a finite number above 0");
-    return 1;
-  }
   try
   {
-    const PhotometricSolid solid = PhotonTransport::ReadPhotometricFile(this->FileName);
-    DrawPhotometricSolid(solid, this->Size, surface);
-    AddFields(solid, surface->GetFieldData());
-  }
-  catch (const PhotonTransport::PhotometricFileError& error)
-  {
-    vtkErrorMacro("'" << this->FileName << "', " << error.what());
-  }
-  catch (const std::bad_alloc&)
-  {
-    surface->Initialize();
-    vtkErrorMacro("out of memory for '" << this->FileName << "'");
+    this->Read(surface);
   }
   catch (const std::exception& error)
   {
+    surface->Initialize();
+    AddLuminaireError(surface->GetFieldData(), error.what());
     vtkErrorMacro(<< error.what());
   }
-  return 1;
+  return 1; // an error is said once: the executive would add its own
+}
+
+void vtkPhotometricReader::Read(vtkPolyData* surface)
+{
+  if (this->FileName.empty())
+  {
+    throw InputError("FileName is empty; it must name a photometric file, .ies or .ldt");
+  }
+  if (!(this->Size > 0.0) || !std::isfinite(this->Size))
+  {
+    std::ostringstream message;
+    message << "Size is " << this->Size << "; it must be a finite number above 0";
+    throw InputError(message.str());
+  }
+  try
+  {
+    // Where the solid is drawn, the lamp is: at the origin, aiming along -z.
+    PhotonTransport::PhotometricLamp lamp;
+    lamp.solid = PhotonTransport::ReadPhotometricFile(this->FileName);
+    DrawPhotometricSolid(lamp.solid, this->Size, surface);
+    AddFields(lamp.solid, surface->GetFieldData());
+    const std::string name = std::filesystem::path(this->FileName).stem().string();
+    AddLuminaire(surface->GetFieldData(), { std::move(lamp), name });
+    RememberPlace(surface);
+  }
+  catch (const PhotonTransport::PhotometricFileError& error)
+  {
+    throw InputError("'" + this->FileName + "', " + error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw InputError("out of memory for '" + this->FileName + "'");
+  }
 }
 
 void vtkPhotometricReader::PrintSelf(ostream& os, vtkIndent indent)

@@ -22,8 +22,13 @@
  *  - Description: manufacturer, name and number as far as given.
  *  - PhotometricType: C, B or A.
  *
+ * The output is a luminaire too, for the second input of vtkIlluminationMap: at the origin, aiming
+ * along -z, with the file's flux and the file's name without its extension. Its further field
+ * arrays are those of vtkLuminaireSource, and like that one's output it can be moved with its
+ * points. Size has no influence on its light.
+ *
  * A file that can't be read gives one error with its name, the line, the value and what should be
- * there, and an empty output.
+ * there, and an output with nothing but that error, as field data LuminaireError.
  */
 
 #ifndef vtkPhotometricReader_h
@@ -70,6 +75,8 @@ protected:
 
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+  void Read(vtkPolyData* surface);
 
   std::string FileName;
   double Size = 1.0;

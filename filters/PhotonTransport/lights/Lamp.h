@@ -54,10 +54,12 @@ struct RectangleLamp
 {
   glm::dvec3 centre{ 0.0 };
   glm::dvec3 direction{ 0.0, 0.0, -1.0 };
-  /// Width runs along z x direction (along x for vertical light), height along direction x width.
   double width = 1.0;
   double height = 1.0;
   double flux = 1000.0;
+  /// Which way the width runs; any length. Zero: along z x direction, or x for vertical light. The
+  /// height runs along direction x width.
+  glm::dvec3 across{ 0.0 };
 };
 
 /// As RectangleLamp, round.

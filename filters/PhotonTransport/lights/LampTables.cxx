@@ -105,6 +105,23 @@ double SunZenithAngle(const CieSky& sky)
   return angle;
 }
 
+glm::dvec3 WidthAxis(const RectangleLamp& lamp, const glm::dvec3& aim)
+{
+  constexpr double Parallel = 1e-6; // sine between the two axes
+  if (lamp.across != glm::dvec3(0.0))
+  {
+    const glm::dvec3 across = CheckedDirection(lamp.across, "lamp width's axis");
+    const glm::dvec3 inPlane = across - glm::dot(across, aim) * aim;
+    if (!(glm::length(inPlane) > Parallel))
+    {
+      RefuseLamp("lamp width's axis runs along the lamp's direction");
+    }
+    return glm::normalize(inPlane);
+  }
+  const glm::dvec3 level = glm::cross(glm::dvec3(0.0, 0.0, 1.0), aim);
+  return glm::length(level) > Parallel ? glm::normalize(level) : glm::dvec3(1.0, 0.0, 0.0);
+}
+
 LampAxes AxesOf(const glm::dvec3& aim, double rotation)
 {
   // The lamp turned about its aim while it still looks down, where x, y and -z are its axes ...

@@ -32,6 +32,10 @@ struct LampAxes
   glm::dvec3 aim, x, y; ///< Orthonormal; x and y as seen by an unturned lamp.
 };
 
+/// The unit vector along a panel's width. @param aim Its direction, unit. Throws InvalidInput for
+/// a width across the panel's plane.
+glm::dvec3 WidthAxis(const RectangleLamp& lamp, const glm::dvec3& aim);
+
 /// @param aim Unit. @param rotation Radians.
 LampAxes AxesOf(const glm::dvec3& aim, double rotation);
 

@@ -142,9 +142,7 @@ PreparedEmitter Prepare(const SpotLamp& lamp, const Scene& scene)
 PreparedEmitter Prepare(const RectangleLamp& lamp, const Scene& scene)
 {
   const glm::dvec3 direction = CheckedDirection(lamp.direction);
-  glm::dvec3 across = glm::cross(glm::dvec3(0.0, 0.0, 1.0), direction);
-  constexpr double Vertical = 1e-6;
-  across = glm::length(across) > Vertical ? glm::normalize(across) : glm::dvec3(1.0, 0.0, 0.0);
+  const glm::dvec3 across = WidthAxis(lamp, direction);
   const double width = CheckedLength(lamp.width, scene, "lamp width");
   const double height = CheckedLength(lamp.height, scene, "lamp height");
   PanelEmitter panel{ CheckedPosition(lamp.centre, scene), FrameOf(direction), 0.5 * width * across,

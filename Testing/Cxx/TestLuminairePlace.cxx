@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A luminaire goes where the points of its glyph go, and is refused where they say nothing clear.
+#include "LuminaireTools.h"
+
+#include "PhotonTransport/lights/LampTables.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCleanPolyData.h"
+#include "vtkClipPolyData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPlane.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkReverseSense.h"
+#include "vtkTriangleFilter.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace
+{
+
+using namespace PhotonTransport;
+
+const glm::dvec3 Position(0.3, -0.2, 0.5);
+const glm::dvec3 Direction(0.4, 0.3, -1.0);
+
+vtkSmartPointer<vtkLuminaireSource> PlacedSource(int type, const char* file = "asymmetric_c.ies")
+{
+  auto source = Source(type);
+  source->SetPosition(Position.x, Position.y, Position.z);
+  source->SetDirection(Direction.x, Direction.y, Direction.z);
+  source->SetSize(0.6, 0.2);
+  source->SetSpotHalfAngle(90.0); // whose cone is flat
+  source->SetRotation(25.0);
+  source->SetSkyType(12);
+  source->SetSunAltitude(30.0);
+  source->SetFileName(PhotometricFile(file).c_str());
+  source->Update();
+  return source;
+}
+
+/// What a lamp is made of: points, directions (of any length) and lengths.
+struct Parts
+{
+  std::vector<glm::dvec3> points;
+  std::vector<glm::dvec3> directions;
+  std::vector<double> lengths;
+};
+
+struct PartsOf
+{
+  Parts operator()(const ParallelLight& l) const { return { {}, { l.direction }, {} }; }
+  Parts operator()(const PointLamp& l) const { return { { l.position }, {}, {} }; }
+  Parts operator()(const LambertianPointLamp& l) const
+  {
+    return { { l.position }, { l.direction }, {} };
+  }
+  Parts operator()(const SpotLamp& l) const { return { { l.position }, { l.direction }, {} }; }
+  Parts operator()(const RectangleLamp& l) const
+  {
+    const glm::dvec3 aim = glm::normalize(l.direction);
+    const glm::dvec3 across = WidthAxis(l, aim);
+    return { { l.centre, l.centre + 0.5 * l.width * across,
+               l.centre + 0.5 * l.height * glm::cross(aim, across) },
+      { l.direction }, { l.width, l.height } };
+  }
+  Parts operator()(const DiskLamp& l) const
+  {
+    return { { l.centre }, { l.direction }, { l.radius } };
+  }
+  Parts operator()(const SphereLamp& l) const { return { { l.centre }, {}, { l.radius } }; }
+  Parts operator()(const LineLamp& l) const { return { { l.centre }, { l.axis }, { l.length } }; }
+  Parts operator()(const UniformSky& l) const { return { {}, { l.up }, {} }; }
+  Parts operator()(const CieSky& l) const { return { {}, { l.up, l.sun }, {} }; }
+  Parts operator()(const PhotometricLamp& l) const
+  {
+    const LampAxes axes = AxesOf(glm::normalize(l.direction), l.rotation);
+    return { { l.position }, { axes.aim, axes.x, axes.y }, {} };
+  }
+  template <typename Other>
+  Parts operator()(const Other&) const
+  {
+    return {};
+  }
+};
+
+struct Place
+{
+  const char* name;
+  double scale;
+  std::function<void(vtkTransform*)> setUp;
+};
+
+const std::vector<Place> Places{ { "moved", 1.0, [](vtkTransform* t) { t->Translate(3, -2, 1); } },
+  { "turned", 1.0,
+    [](vtkTransform* t)
+    {
+      t->RotateX(30);
+      t->RotateY(50);
+      t->RotateZ(70);
+    } },
+  { "turned by half a turn", 1.0, [](vtkTransform* t) { t->RotateX(180); } },
+  { "turned by half a turn about z", 1.0, [](vtkTransform* t) { t->RotateZ(180); } },
+  { "enlarged", 2.5, [](vtkTransform* t) { t->Scale(2.5, 2.5, 2.5); } },
+  { "in millimetres", 1000.0, [](vtkTransform* t) { t->Scale(1000, 1000, 1000); } },
+  { "in kilometres", 0.001, [](vtkTransform* t) { t->Scale(0.001, 0.001, 0.001); } },
+  { "far away and turned", 1.0,
+    [](vtkTransform* t)
+    {
+      t->Translate(1e6, -1e6, 1e6);
+      t->RotateWXYZ(111, 1, 2, 3);
+    } },
+  { "all at once", 0.3,
+    [](vtkTransform* t)
+    {
+      t->Translate(7, 8, 9);
+      t->RotateY(-120);
+      t->Scale(0.3, 0.3, 0.3);
+    } },
+  { "turned inside out", 1.0, [](vtkTransform* t) { t->Scale(-1, -1, -1); } }, // for the symmetric
+  { "mirrored", 1.0,
+    [](vtkTransform* t)
+    {
+      t->RotateX(20);
+      t->Scale(-1, 1, 1);
+    } } };
+
+/// Whether direction b is a, transformed: parallel to it, or to its opposite for an axis.
+bool IsAlong(const glm::dvec3& a, const glm::dvec3& b, bool eitherWay, double rounding)
+{
+  const double cosine = glm::dot(glm::normalize(a), glm::normalize(b));
+  const double sine = glm::length(glm::cross(glm::normalize(a), glm::normalize(b)));
+  return sine <= rounding && (eitherWay || cosine > 0.0);
+}
+
+glm::dvec3 TransformedPoint(vtkTransform* transform, const glm::dvec3& p)
+{
+  const double* point = transform->TransformPoint(&p.x);
+  return { point[0], point[1], point[2] };
+}
+
+/// The moved lamp's parts against the lamp's parts, moved by VTK's transform.
+/// @param rounding Of a coordinate, relative to the largest; a sum over a glyph's thousand points
+/// has about 32 of it, and a few more come from the transform.
+void CheckMoved(const Luminaire& lamp, vtkPolyData* moved, const Place& place, double rounding,
+  const std::string& what, Checks& check)
+{
+  vtkNew<vtkTransform> transform;
+  place.setUp(transform);
+  std::optional<Luminaire> found;
+  try
+  {
+    found = ReadLuminaire(moved);
+  }
+  catch (const InputError& error)
+  {
+    check(false, what + ": " + error.what());
+    return;
+  }
+  const Parts before = std::visit(PartsOf(), lamp.lamp);
+  const Parts after = std::visit(PartsOf(), found->lamp);
+  check(found->name == lamp.name && found->lamp.index() == lamp.lamp.index(), what + ": its kind");
+  constexpr double Sum = 64.0;
+  const double size = 0.1 * place.scale; // at least, of each glyph
+  double farthest = glm::length(TransformedPoint(transform, Position));
+  for (std::size_t i = 0; i < before.points.size(); ++i)
+  {
+    const glm::dvec3 point = TransformedPoint(transform, before.points[i]);
+    farthest = std::max(farthest, glm::length(point));
+    // A rectangle's sides have no sign: the height's end of a mirror image is the opposite one.
+    const glm::dvec3 opposite = 2.0 * after.points[0] - after.points[i];
+    const double error =
+      std::min(glm::distance(after.points[i], point), glm::distance(opposite, point));
+    check(
+      error <= Sum * rounding * farthest, what + ": a point is off by " + std::to_string(error));
+  }
+  const double angle = Sum * rounding * farthest / size;
+  for (std::size_t i = 0; i < before.directions.size(); ++i)
+  {
+    const double* expected = transform->TransformVector(&before.directions[i].x);
+    check(IsAlong({ expected[0], expected[1], expected[2] }, after.directions[i],
+            std::holds_alternative<LineLamp>(lamp.lamp), angle),
+      what + ": direction " + std::to_string(i));
+  }
+  for (std::size_t i = 0; i < before.lengths.size(); ++i)
+  {
+    check(std::fabs(after.lengths[i] / before.lengths[i] / place.scale - 1.0) <= angle,
+      what + ": length " + std::to_string(i) + " is " + std::to_string(after.lengths[i]));
+  }
+}
+
+constexpr int LastType = vtkLuminaireSource::PHOTOMETRIC_FILE;
+
+void CheckPlaces(Checks& check)
+{
+  for (int type = 0; type <= LastType; ++type)
+  {
+    const auto source = PlacedSource(type);
+    vtkPolyData* glyph = source->GetOutput();
+    const Luminaire lamp = *ReadLuminaire(glyph);
+    for (const Place& place : Places)
+    {
+      const bool mirrors = place.name[0] == 'm' && place.name[1] == 'i';
+      const bool pointReflected = std::string(place.name) == "turned inside out";
+      const std::string what = "type " + std::to_string(type) + " " + place.name;
+      if (type == LastType && (mirrors || pointReflected))
+      {
+        ExpectRefused(
+          Transformed(glyph, place.setUp), "it was mirrored, and its intensities", check);
+        continue;
+      }
+      CheckMoved(lamp, Transformed(glyph, place.setUp), place, 0x1p-52, what, check);
+      if (std::string(place.name) != "far away and turned")
+      {
+        CheckMoved(lamp, Transformed(glyph, place.setUp, vtkAlgorithm::SINGLE_PRECISION), place,
+          0x1p-23, what + " in single precision", check);
+      }
+    }
+  }
+}
+
+/// A lamp that is turned back and forth is where it was; one that was not moved has the same bits.
+void CheckChains(Checks& check)
+{
+  for (int type = 0; type <= LastType; ++type)
+  {
+    const std::string what = "type " + std::to_string(type);
+    const auto source = PlacedSource(type);
+    vtkPolyData* glyph = source->GetOutput();
+    const Luminaire lamp = *ReadLuminaire(glyph);
+    const auto same = ReadLuminaire(Transformed(glyph, [](vtkTransform*) {}));
+    const Parts before = std::visit(PartsOf(), lamp.lamp);
+    const Parts after = std::visit(PartsOf(), same->lamp);
+    check(before.points == after.points && before.directions == after.directions &&
+        before.lengths == after.lengths,
+      what + " not moved: the same bits");
+
+    const auto there = Transformed(glyph,
+      [](vtkTransform* t)
+      {
+        t->Translate(1, 2, 3);
+        t->RotateX(77);
+        t->Scale(4, 4, 4);
+      });
+    const auto back = Transformed(there,
+      [](vtkTransform* t)
+      {
+        t->Scale(0.25, 0.25, 0.25);
+        t->RotateX(-77);
+        t->Translate(-1, -2, -3);
+      });
+    CheckMoved(
+      lamp, back, { "", 1.0, [](vtkTransform*) {} }, 0x1p-48, what + " there and back", check);
+  }
+}
+
+/// What a lamp with sides of its own sends where: against the solid, by directions.
+void CheckMirrorImages(Checks& check)
+{
+  const auto mirror = [](vtkTransform* t) { t->Scale(1, -1, 1); };
+  for (const char* file : { "lateral.ldt", "lambertian.ies", "isotropic.ies" })
+  {
+    const auto source = PlacedSource(LastType, file);
+    const auto moved = Transformed(source->GetOutput(), mirror);
+    const auto lamp = std::get<PhotometricLamp>(ReadLuminaire(source->GetOutput())->lamp);
+    const auto image = std::get<PhotometricLamp>(ReadLuminaire(moved)->lamp);
+    const auto towards = [](const PhotometricLamp& l, const glm::dvec3& d)
+    {
+      const LampAxes axes = AxesOf(glm::normalize(l.direction), l.rotation);
+      const double degrees = 45.0 / std::atan(1.0);
+      return Intensity(l.solid, degrees * std::acos(glm::clamp(glm::dot(d, axes.aim), -1.0, 1.0)),
+        degrees * std::atan2(glm::dot(d, axes.y), glm::dot(d, axes.x)));
+    };
+    for (int i = 0; i < 100; ++i)
+    {
+      const double z = -1.0 + 0.02 * (i + 0.5);
+      const double r = std::sqrt(1.0 - z * z);
+      const glm::dvec3 d(r * std::cos(2.4 * i), r * std::sin(2.4 * i), z);
+      const double was = towards(lamp, d);
+      const double is = towards(image, { d.x, -d.y, d.z });
+      check(std::fabs(was - is) <= 1e-6 * (1.0 + was),
+        std::string(file) + " mirrored: " + std::to_string(is) + " cd for " + std::to_string(was));
+    }
+  }
+}
+
+void CheckRefusals(Checks& check)
+{
+  for (int type = 0; type <= LastType; ++type)
+  {
+    const auto source = PlacedSource(type);
+    vtkPolyData* glyph = source->GetOutput();
+    if (type != vtkLuminaireSource::LINE) // of which only two points tell, and any two are a line
+    {
+      const char* const words = "scaled unevenly, sheared or bent";
+      ExpectRefused(Transformed(glyph, [](vtkTransform* t) { t->Scale(1, 1, 1.2); }), words, check);
+      ExpectRefused(
+        Transformed(glyph, [](vtkTransform* t) { t->Scale(1.1, 1, 1.1); }), words, check);
+      const double shear[16] = { 1, 0.3, 0.2, 0, 0, 1, 0.3, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+      ExpectRefused(
+        Transformed(glyph, [&](vtkTransform* t) { t->SetMatrix(shear); }), words, check);
+      // Nine digits of 1e8 are not enough for a lamp of less than a metre.
+      ExpectRefused(
+        Transformed(
+          glyph, [](vtkTransform* t) { t->Translate(1e8, 0, 0); }, vtkAlgorithm::SINGLE_PRECISION),
+        "rounded off", check);
+    }
+    ExpectRefused(
+      Transformed(glyph, [](vtkTransform* t) { t->Scale(0, 0, 0); }), "to one place", check);
+    ExpectRefused(Transformed(glyph, [](vtkTransform* t) { t->Translate(std::nan(""), 0, 0); }),
+      "not finite", check);
+    vtkNew<vtkPolyData> bare;
+    bare->CopyStructure(glyph);
+    bare->GetFieldData()->ShallowCopy(glyph->GetFieldData());
+    ExpectRefused(bare, "lost the point array 'LuminairePoint'", check);
+    bare->GetPointData()->ShallowCopy(glyph->GetPointData());
+    bare->GetFieldData()->Initialize();
+    ExpectRefused(bare, "lost the field data that describe it", check);
+  }
+}
+
+vtkSmartPointer<vtkPolyData> Appended(vtkPolyData* a, vtkPolyData* b)
+{
+  vtkNew<vtkAppendPolyData> append;
+  append->AddInputData(a);
+  append->AddInputData(b);
+  append->Update();
+  return append->GetOutput();
+}
+
+void CheckAppended(Checks& check)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->Update();
+  for (int type = 0; type <= LastType; ++type)
+  {
+    const auto lamp = PlacedSource(type);
+    const auto other = PlacedSource(type);
+    other->SetDimming(0.5);
+    other->Update();
+    ExpectRefused(Appended(lamp->GetOutput(), other->GetOutput()), "Group Datasets", check);
+    ExpectRefused(Appended(lamp->GetOutput(), lamp->GetOutput()), "Group Datasets", check);
+    const auto moved =
+      Transformed(lamp->GetOutput(), [](vtkTransform* t) { t->Translate(1, 0, 0); });
+    ExpectRefused(Appended(lamp->GetOutput(), moved), "Group Datasets", check);
+    ExpectRefused(Appended(lamp->GetOutput(), plane->GetOutput()), "Group Datasets", check);
+    check(!ReadLuminaire(Appended(plane->GetOutput(), lamp->GetOutput())),
+      "a lamp that a surface swallowed is none");
+  }
+}
+
+template <typename Filter>
+void CheckKept(const char* name, Checks& check)
+{
+  for (int type = 0; type <= LastType; ++type)
+  {
+    const auto source = PlacedSource(type);
+    const Place& place = Places.back();
+    vtkNew<Filter> filter;
+    filter->SetInputData(source->GetOutput());
+    filter->Update();
+    const auto turn = [](vtkTransform* t) { t->RotateX(40); };
+    CheckMoved(*ReadLuminaire(source->GetOutput()), Transformed(filter->GetOutput(), turn),
+      { place.name, 1.0, turn }, 0x1p-52, name + (" of type " + std::to_string(type)), check);
+  }
+}
+
+void CheckOtherFilters(Checks& check)
+{
+  CheckKept<vtkCleanPolyData>("vtkCleanPolyData", check);
+  CheckKept<vtkTriangleFilter>("vtkTriangleFilter", check);
+  CheckKept<vtkPolyDataNormals>("vtkPolyDataNormals", check);
+  CheckKept<vtkReverseSense>("vtkReverseSense", check);
+
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(Position.x + 0.01, Position.y, Position.z);
+  plane->SetNormal(1.0, 0.0, 0.0);
+  for (const int type : { vtkLuminaireSource::RECTANGLE, vtkLuminaireSource::SPHERE,
+         vtkLuminaireSource::SPOT, vtkLuminaireSource::LINE, vtkLuminaireSource::PHOTOMETRIC_FILE })
+  {
+    const auto source = PlacedSource(type);
+    vtkNew<vtkClipPolyData> clip;
+    clip->SetInputData(source->GetOutput());
+    clip->SetClipFunction(plane);
+    clip->Update();
+    ExpectRefused(clip->GetOutput(), "parts of its geometry were cut away", check);
+  }
+}
+
+} // namespace
+
+int TestLuminairePlace(int, char*[])
+{
+  Checks check;
+  CheckPlaces(check);
+  CheckChains(check);
+  CheckMirrorImages(check);
+  CheckRefusals(check);
+  CheckAppended(check);
+  CheckOtherFilters(check);
+  return check.Failures();
+}
