@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PhotonTransport/transport/ParallelFor.h"
+#include "PhotonTransport/scene/ParallelFor.h"
 
 #include <cstddef>
 

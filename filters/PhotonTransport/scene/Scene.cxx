@@ -61,6 +61,16 @@ float MarginPerOffset(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3
   return static_cast<float>(std::min(Most, double{ EdgeClearance } / smallestHeight));
 }
 
+/// Whether no edge can be longer than 1.5 times its distance from the origin: the nearest point of
+/// the facet is nearer than a corner by the longest edge at most.
+bool IsFarForItsSize(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
+{
+  const glm::vec3 ab = b - a, bc = c - b, ca = a - c;
+  const float longest = std::max(std::max(glm::dot(ab, ab), glm::dot(bc, bc)), glm::dot(ca, ca));
+  constexpr float Lengths = 1.75f; // > 1 + 1 / 1.5
+  return Lengths * Lengths * longest < glm::dot(a, a);
+}
+
 } // namespace
 
 std::size_t MostParts(std::size_t facets)
@@ -298,6 +308,10 @@ std::vector<FacetPart> Scene::PartsOfLargeFacets(const std::vector<glm::vec3>& p
   for (std::uint32_t f = 0; f < this->FacetRecords.size(); ++f)
   {
     const glm::uvec3& ids = this->FacetRecords[f].vertices;
+    if (IsFarForItsSize(positions[ids.x], positions[ids.y], positions[ids.z]))
+    {
+      continue; // as nearly all are
+    }
     AppendParts(f, { positions[ids.x], positions[ids.y], positions[ids.z] }, halves, parts);
   }
   return parts;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/ThinGaps.h"
 
+#include "PhotonTransport/scene/ParallelFor.h"
 #include "PhotonTransport/scene/Scene.h"
 
 #include <glm/geometric.hpp>
@@ -37,17 +38,17 @@ public:
   {
   }
 
-  ThinGaps Run()
+  /// Looks at the facets [first, last).
+  ThinGaps Run(std::uint32_t first, std::uint32_t last)
   {
-    const std::size_t facets = this->Surroundings.Facets().size();
-    for (std::uint32_t f = 0; f < facets; ++f)
+    for (std::uint32_t f = first; f < last; ++f)
     {
       this->Add(f, true);
       if (this->LetsLightThrough(f))
       {
         this->Add(f, false);
       }
-      if (this->Probes.size() + 2 > Together || f + 1 == facets)
+      if (this->Probes.size() + 2 > Together || f + 1 == last)
       {
         this->Look();
       }
@@ -170,9 +171,40 @@ private:
 
 } // namespace
 
+void ThinGaps::Add(const ThinGaps& later)
+{
+  if (later.number > 0 && (this->number == 0 || later.gap < this->gap))
+  {
+    this->facet = later.facet;
+    this->other = later.other;
+    this->gap = later.gap;
+    this->offset = later.offset;
+  }
+  this->firstUnresolved = this->unresolved == 0 ? later.firstUnresolved : this->firstUnresolved;
+  this->number += later.number;
+  this->unresolved += later.unresolved;
+}
+
 ThinGaps FindThinGaps(const Scene& scene)
 {
-  return Search(scene).Run();
+  constexpr std::size_t Chunk = 4096;
+  const std::size_t facets = scene.Facets().size();
+  std::vector<ThinGaps> chunks((facets + Chunk - 1) / Chunk);
+  ParallelFor(0, chunks.size(),
+    [&](const tbb::blocked_range<std::uint64_t>& range)
+    {
+      for (std::uint64_t c = range.begin(); c < range.end(); ++c)
+      {
+        chunks[c] = Search(scene).Run(static_cast<std::uint32_t>(c * Chunk),
+          static_cast<std::uint32_t>(std::min((c + 1) * Chunk, facets)));
+      }
+    });
+  ThinGaps all;
+  for (const ThinGaps& chunk : chunks)
+  {
+    all.Add(chunk);
+  }
+  return all;
 }
 
 } // namespace PhotonTransport

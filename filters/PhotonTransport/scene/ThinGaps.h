@@ -23,6 +23,9 @@ struct ThinGaps
   /// Facets too small for the rays there: their longest edge is no longer than eight offsets.
   std::size_t unresolved = 0;
   std::uint32_t firstUnresolved = 0;
+
+  /// Adds what was found among facets after these.
+  void Add(const ThinGaps& later);
 };
 
 ThinGaps FindThinGaps(const Scene& scene);

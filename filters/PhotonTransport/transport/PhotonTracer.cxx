@@ -2,7 +2,7 @@
 #include "PhotonTransport/transport/PhotonTracer.h"
 
 #include "PhotonTransport/scene/InvalidInput.h"
-#include "PhotonTransport/transport/ParallelFor.h"
+#include "PhotonTransport/scene/ParallelFor.h"
 #include "PhotonTransport/transport/Walk.h"
 
 #include <oneapi/tbb/global_control.h>

@@ -2,7 +2,7 @@
 #include "PhotonTransport/transport/ReplicateSums.h"
 
 #include "PhotonTransport/statistics/ReplicateStatistics.h"
-#include "PhotonTransport/transport/ParallelFor.h"
+#include "PhotonTransport/scene/ParallelFor.h"
 
 #include <algorithm>
 #include <array>
