@@ -21,8 +21,8 @@ struct Placement
 };
 
 /// The placement that puts all `points[i]`, for every index i in `facets`, into [-1, 1]. The origin
-/// is the middle of their bounding box, or the place of the finest facets where those are much finer
-/// than the rest: coordinates are finest next to the origin. All coordinates must be finite.
+/// is the middle of their bounding box, or the place of the finest facets where those are much
+/// finer than the rest: coordinates are finest next to the origin. All coordinates must be finite.
 Placement FitPlacement(
   const std::vector<glm::dvec3>& points, const std::vector<glm::uvec3>& facets);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/transport/ReplicateSums.h"
 
-#include "PhotonTransport/statistics/ReplicateStatistics.h"
 #include "PhotonTransport/scene/ParallelFor.h"
+#include "PhotonTransport/statistics/ReplicateStatistics.h"
 
 #include <algorithm>
 #include <array>
