@@ -34,7 +34,7 @@ template <Registration Kind, bool BackSide, Walk Way>
   IlluminationSums& sums, LightLayers& layers)
 {
   const Registrar<Kind, BackSide> registrar(job.walk.scene, job.weightBound, sums, layers);
-  WalkPhotons<Way>(job.walk, first, last, registrar, sums.balance);
+  WalkPhotons<Way>(job.walk, first, last, registrar, sums.balance, sums.arrivals.data());
 }
 
 using BlockTracer = void (*)(
@@ -223,7 +223,8 @@ PhotonTracer::~PhotonTracer() = default;
 
 IlluminationSums PhotonTracer::EmptySums() const
 {
-  return { this->Surroundings.Vertices().size(), this->Settings.registerBackSide };
+  return { this->Surroundings.Vertices().size(), this->Settings.registerBackSide,
+    this->Source.Lamps() };
 }
 
 LightLayers PhotonTracer::EmptyLayers() const

@@ -22,6 +22,19 @@ PhotonBalance ReplicateSums::Balance() const
   return balance;
 }
 
+std::vector<Arrivals> ReplicateSums::ArrivalsByLamp() const
+{
+  std::vector<Arrivals> arrivals(this->replicates.front().arrivals.size());
+  for (const IlluminationSums& replicate : this->replicates)
+  {
+    for (std::size_t lamp = 0; lamp < arrivals.size(); ++lamp)
+    {
+      arrivals[lamp] += replicate.arrivals[lamp];
+    }
+  }
+  return arrivals;
+}
+
 double ReplicateSums::CutByWeightBound() const
 {
   FixedPoint cut = 0;
@@ -119,6 +132,16 @@ GroupMeans ReplicateSums::FrontByGroups(double flux, const std::vector<double>& 
       }
     });
   return groups;
+}
+
+bool ReplicateSums::AnyLight(Side side) const
+{
+  return std::any_of(this->replicates.begin(), this->replicates.end(),
+    [&](const IlluminationSums& replicate)
+    {
+      return std::any_of((replicate.*side).begin(), (replicate.*side).end(),
+        [](const VertexSums& sums) { return sums.direct + sums.indirect > 0; });
+    });
 }
 
 bool ReplicateSums::AreFull() const

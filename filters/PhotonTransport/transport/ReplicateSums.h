@@ -19,6 +19,8 @@ struct ReplicateSums
   std::vector<IlluminationSums> replicates;
 
   PhotonBalance Balance() const;
+  /// [lamp]
+  std::vector<Arrivals> ArrivalsByLamp() const;
   /// Weight that the bound cut off; times flux / photons it is in lm.
   double CutByWeightBound() const;
 
@@ -28,6 +30,9 @@ struct ReplicateSums
 
   /// See IlluminationRun::FrontByGroups.
   GroupMeans FrontByGroups(double flux, const std::vector<double>& areas) const;
+
+  /// Whether anything has registered on that side.
+  bool AnyLight(Side side) const;
 
   /// Whether a vertex's sum over all replicates fills a quarter of its range: three times the
   /// photons could take it beyond.
