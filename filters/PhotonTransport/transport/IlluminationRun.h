@@ -87,6 +87,11 @@ public:
   PhotonBalance Balance() const { return this->Sums.Balance(); }
   /// Where each luminaire's photons first arrived. [luminaire]
   std::vector<Arrivals> ArrivalsByLamp() const { return this->Sums.ArrivalsByLamp(); }
+  /// See PhotonTracer.
+  std::optional<glm::uvec3> CornersLitFromBehind(std::size_t lamp) const
+  {
+    return this->Tracer.CornersLitFromBehind(static_cast<std::uint32_t>(lamp));
+  }
   double Flux() const { return this->Tracer.Flux(); }
   double FluxOf(std::uint64_t photons) const; ///< lm that so many photons stand for.
   double FluxCutByWeightBound() const;        ///< lm
