@@ -13,7 +13,8 @@ namespace PhotonTransport
 ///   emitted = front + back + escaped + absorbed + cutOff,
 ///
 /// which says how much of the light began its life in the scene where it can be seen. What becomes
-/// of it afterwards is PhotonBalance's: emitted = absorbed + escaped + cutOff, by the photons' ends.
+/// of it afterwards is PhotonBalance's: emitted = absorbed + escaped + cutOff, by the photons'
+/// ends.
 struct Arrivals
 {
   std::uint64_t front = 0;    ///< On a front, where it registered.

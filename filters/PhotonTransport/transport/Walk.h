@@ -131,8 +131,8 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
   PhotonBalance& balance, Arrivals* arrivals)
 {
   ++balance.segments;
-  bool underWay = Kind == Walk::Ends ||
-    (LetsLightThrough(Kind) ? !photon.origin.arrived : photon.order == 0);
+  bool underWay =
+    Kind == Walk::Ends || (LetsLightThrough(Kind) ? !photon.origin.arrived : photon.order == 0);
   if (!hit)
   {
     ++balance.escaped;
