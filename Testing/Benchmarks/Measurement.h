@@ -134,14 +134,15 @@ void RecordPhoton(const PhotonTransport::WalkSettings& walk,
     { emission.lamp, static_cast<std::uint16_t>(emission.channel), true } };
   PhotonTransport::Ray next = emission.ray;
   PhotonTransport::PhotonBalance balance;
+  std::vector<PhotonTransport::Arrivals> arrivals(walk.source.Lamps());
   Segment segment;
   bool goesOn = true;
   while (goesOn)
   {
     segment.ray = next;
     walk.scene.Intersect(&segment.ray, &segment.hit, 1);
-    goesOn =
-      PhotonTransport::Arrive<Kind>(flight, next, segment.hit, walk, KeepHit{ segment }, balance);
+    goesOn = PhotonTransport::Arrive<Kind>(
+      flight, next, segment.hit, walk, KeepHit{ segment }, balance, arrivals.data());
     segments.push_back(segment);
   }
 }

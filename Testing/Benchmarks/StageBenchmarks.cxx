@@ -190,7 +190,8 @@ void Block(benchmark::State& state)
   std::uint64_t first = 0;
   for (auto _ : state)
   {
-    WalkPhotons<Walk::Diffuse>(walk, first, first + PhotonBlock, registrar, sums.balance);
+    WalkPhotons<Walk::Diffuse>(
+      walk, first, first + PhotonBlock, registrar, sums.balance, sums.arrivals.data());
     first += PhotonBlock;
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(sums.balance.segments));

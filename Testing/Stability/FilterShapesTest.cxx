@@ -94,6 +94,7 @@ protected:
   FilterShapes()
     : FilterTest("polygons cut into wrong, missing or double triangles")
   {
+    this->LightMayBeMissing = true; // a plane that shines lights nothing
   }
 
   void SetUp() override
@@ -158,7 +159,7 @@ protected:
     AddCell(this->Cells->GetPolys(), this->AddPoints(polygon));
     this->Cells->Modified();
     this->ExpectFlux(area, slope * Length(polygon) * moved + area * 0x1p-24);
-    EXPECT_EQ(this->Notes(), "the points had no normals; they were computed\n");
+    EXPECT_EQ(this->Notes().rfind("the points had no normals; they were computed\n", 0), 0u);
   }
 
   vtkNew<vtkPolyData> Cells;

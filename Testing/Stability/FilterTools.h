@@ -50,8 +50,10 @@ protected:
   /// One error that says `words`, no warning; the input passes through untouched, without a map;
   /// and the filter makes a map once it is given the sphere.
   void ExpectError(const std::string& words);
-  /// No error, no warning, and a map of finite values.
+  /// No error, no warning but of missing light where that may be, and a map of finite values.
   void ExpectMap();
+  /// No warning, or where light may be missing one that says so.
+  void ExpectNoOtherWarning();
 
   vtkDataArray* OutputArray(const char* name) const;
   /// The output's Notes, a line each.
@@ -60,6 +62,7 @@ protected:
   /// What was measured, for the table; otherwise that tells the numbers of refusals and maps.
   void Measured(const std::string& what);
 
+  bool LightMayBeMissing = false; ///< One warning may say that light met no front.
   vtkSmartPointer<vtkPolyData> Surface;
   vtkNew<vtkIlluminationMap> Filter;
   vtkNew<MessageCounter> Messages;

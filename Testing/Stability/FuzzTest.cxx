@@ -126,6 +126,15 @@ void CheckRun(const RandomScene& drawn)
   const PhotonBalance balance = run.Balance();
   RC_ASSERT(balance.emitted == drawn.photons);
   RC_ASSERT(balance.emitted == balance.absorbed + balance.escaped + balance.cutOff);
+  Arrivals arrivals;
+  for (const Arrivals& lamp : run.ArrivalsByLamp())
+  {
+    arrivals += lamp;
+  }
+  RC_ASSERT(balance.emitted == arrivals.Emitted());
+  RC_ASSERT(arrivals.escaped <= balance.escaped);
+  RC_ASSERT(arrivals.absorbed <= balance.absorbed);
+  RC_ASSERT(arrivals.cutOff <= balance.cutOff);
   RC_ASSERT(balance.segments >= balance.emitted);
   RC_ASSERT(balance.segments <= balance.emitted * drawn.settings.maximumPathLength);
 

@@ -136,10 +136,9 @@ class Pipeline:
             simple.Delete(proxy)
 
     def map(self, **properties):
-        """A new Illumination Map of it."""
-        return simple.IlluminationMap(
-            Input=self.surface, Luminaires=self.lamps, **{**self.properties, **properties}
-        )
+        """A new Illumination Map of it. Light inside an opaque shade falls on backs, as meant."""
+        settings = {"RegisterBackSide": 1, **self.properties, **properties}
+        return simple.IlluminationMap(Input=self.surface, Luminaires=self.lamps, **settings)
 
 
 def rooms():
@@ -157,6 +156,7 @@ def rooms():
         "LuminaireName": "tube",
         "Type": "Line",
         "Position": [0.0, -1.3, 1.1],
+        "Direction": [1.0, 0.0, 0.0],
         "Size": [1.5, 1.0],
         "LuminousFlux": 600.0,
     }

@@ -3,6 +3,7 @@
 
 #include "FieldArrays.h"
 #include "LuminaireFields.h"
+#include "MissingLight.h"
 #include "PointMapping.h"
 #include "SceneBlocks.h"
 
@@ -33,13 +34,15 @@ std::vector<double> Sum(const std::vector<double>& a, const std::vector<double>&
   return sum;
 }
 
-/// a / b, 0 where b is 0.
-std::vector<double> Ratio(const std::vector<double>& a, const std::vector<double>& b)
+/// Where no light has come, nothing of it is known: 1. Where none can come, at a point without a
+/// triangle, there is no error: 0.
+std::vector<double> RelativeErrors(
+  const std::vector<double>& errors, const std::vector<double>& illuminance)
 {
-  std::vector<double> ratio(a.size());
-  std::transform(a.begin(), a.end(), b.begin(), ratio.begin(),
-    [](double x, double y) { return y > 0.0 ? x / y : 0.0; });
-  return ratio;
+  std::vector<double> relative(errors.size());
+  std::transform(errors.begin(), errors.end(), illuminance.begin(), relative.begin(),
+    [](double error, double lux) { return lux > 0.0 ? error / lux : (error > 0.0 ? 1.0 : 0.0); });
+  return relative;
 }
 
 double PerSecond(std::uint64_t count, double seconds)
@@ -59,6 +62,8 @@ std::string NameOf(StopReason reason)
       return "abort";
     case StopReason::SumsFull:
       return "sums full: a point has had as many hits as its sum can hold";
+    case StopReason::NothingLit:
+      return "nothing lit: the target relative error can't be met";
     default:
       return "photon limit";
   }
@@ -106,7 +111,7 @@ void AddFront(vtkPointData* arrays, const PointMapping& mapping, const Illuminat
   AddArray(arrays, "IlluminanceDirect", direct);
   AddArray(arrays, "IlluminanceIndirect", indirect);
   AddArray(arrays, "StandardError", error);
-  AddArray(arrays, "RelativeError", Ratio(error, total));
+  AddArray(arrays, "RelativeError", RelativeErrors(error, total));
   std::vector<std::uint64_t> hits(total.size(), 0);
   mapping.ForEach(
     [&](std::size_t vertex, std::size_t point) { hits[point] += map.photonHits[vertex]; });
@@ -201,6 +206,7 @@ void AddFieldData(vtkFieldData* output, const IlluminationRun& run, StopReason r
   AddArray(output, "PhotonsEscaped", Count{ balance.escaped });
   AddArray(output, "PhotonsCutOff", Count{ balance.cutOff });
   AddArray(output, "EmittedFlux", Value{ run.Flux() });
+  AddArrivals(output, run);
   AddArray(output, "FluxCutByWeightBound", Value{ run.FluxCutByWeightBound() });
   AddArray(output, "FluxSwitchedOff", Value{ FluxSwitchedOff(run) });
   AddArray(output, "Seconds", Value{ run.Seconds() });

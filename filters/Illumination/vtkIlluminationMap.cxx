@@ -4,6 +4,7 @@
 #include "CoreSettings.h"
 #include "IlluminationArrays.h"
 #include "LuminaireInput.h"
+#include "MissingLight.h"
 #include "Pipeline.h"
 #include "SceneBlocks.h"
 
@@ -267,9 +268,17 @@ void vtkIlluminationMap::Trace(
     {
       AddGroupMeans(blocks, this->Kept->Scene, run);
     }
-    AddFieldData(output->GetFieldData(), run, reason, NotesOn(blocks, this->Kept->Scene));
+    const MissingLight missing = FindMissingLight(
+      { blocks, lighting, run, this->RegisterBackSide, this->MetresPerUnit }, reason);
+    std::vector<std::string> notes = NotesOn(blocks, this->Kept->Scene);
+    notes.insert(notes.end(), missing.notes.begin(), missing.notes.end());
+    AddFieldData(output->GetFieldData(), run, reason, notes);
     AddMemoryNeeded(output->GetFieldData(), need);
     FillAccuracyTable(accuracy, run.Rounds());
+    if (!missing.warning.empty())
+    {
+      vtkWarningMacro(<< missing.warning);
+    }
   }
   catch (const InvalidInput& error)
   {

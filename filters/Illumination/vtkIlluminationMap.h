@@ -18,8 +18,9 @@
  *  - Illuminance (lx = lm/m^2): what arrives on the front; IlluminanceDirect + IlluminanceIndirect.
  *  - IlluminanceDirect, IlluminanceIndirect (lx): straight from the lamps, thin panes in between
  *    not counted, and all the rest.
- *  - StandardError (lx), RelativeError (StandardError / Illuminance, 0 where it is dark): the noise
- *    of Illuminance, from eight independent replicates. Facet size is not in it.
+ *  - StandardError (lx), RelativeError (StandardError / Illuminance; 1 where no light came, 0 at a
+ *    point without a triangle): the noise of Illuminance, from eight independent replicates, or
+ * with less than 30 hits from their number if that is more. Facet size is not in it.
  *  - IlluminanceRGB (lx, 3 components): by colour, where the scene has any; for white light the
  *    three are equal, and 0.2126 R + 0.7152 G + 0.0722 B is Illuminance.
  *  - Illuminance_<name> (lx): from one luminaire, with LampContributions. Luminaires without a
@@ -27,9 +28,12 @@
  *  - IlluminanceBack, StandardErrorBack (lx): what arrives on the back, with RegisterBackSide.
  *  - PhotonHits (vtkIdType): photons that hit the front of a facet around the point.
  * and these field data arrays: PhotonsEmitted = PhotonsAbsorbed + PhotonsEscaped + PhotonsCutOff,
- * EmittedFlux (lm), FluxCutByWeightBound (lm), FluxSwitchedOff (lm), Seconds, PhotonsPerSecond,
- * SegmentsPerSecond, MemoryNeeded (bytes, at most), StoppedBy, Effects (which are on or off, and
- * why), Notes (what was found and mended in the input), IlluminationMapsVersion.
+ * EmittedFlux (lm), FluxOnFronts, FluxOnBacks and FluxEscaped (lm: where it first arrived, backs
+ * that let light through not counted, or left the scene before), FluxCutByWeightBound (lm),
+ * FluxSwitchedOff (lm), Seconds, PhotonsPerSecond, SegmentsPerSecond, MemoryNeeded (bytes, at
+ * most), StoppedBy, Effects (which are on or off, and why), Notes (what was found and mended in the
+ * input, and what light is missing), IlluminationMapsVersion. A vtkWarning says what to do where
+ * most light fell on backs or met nothing.
  *
  * Give watts for lumens and the result is irradiance in W/m^2.
  *
@@ -261,7 +265,8 @@ public:
   ///@{
   /**
    * The relative error to stop at, unless Photons or TimeLimit are reached before: area-weighted
-   * RMS of StandardError over the mean Illuminance; 0.02 is 2 %, 0 is no target. Default: 0.
+   * RMS of StandardError over the mean Illuminance; 0.02 is 2 %, 0 is no target. Where none of
+   * 2^20 photons registers no target can be met, and the run ends. Default: 0.
    */
   vtkSetMacro(TargetRelativeError, double);
   vtkGetMacro(TargetRelativeError, double);

@@ -32,7 +32,8 @@ bool Any(const Colour& share)
 Roulette MakeRoulette(const Material& material, bool colour)
 {
   Roulette roulette{ {}, material.roughness * material.roughness, material.refractiveIndex,
-    Any(material.clearTransmittance), material.solid };
+    Any(material.clearTransmittance), material.solid,
+    (ScatteringsOf(material) & Transmissions) != 0 };
   for (int c = 0; c < 3; ++c)
   {
     const auto channel = [&](const Colour& share) { return colour ? share[c] : Luminous(share); };

@@ -63,6 +63,7 @@ struct Roulette
   float refractiveIndex;
   bool clear;
   bool solid;
+  bool translucent; ///< Lets light through in whichever way.
 };
 
 /// @param colour Whether photons carry a channel each; otherwise all three are the luminous one.

@@ -6,7 +6,8 @@ namespace PhotonTransport
 namespace
 {
 
-void MoveInto(std::vector<VertexSums>& total, std::vector<VertexSums>& part)
+template <typename Part>
+void MoveInto(std::vector<Part>& total, std::vector<Part>& part)
 {
   for (std::size_t i = 0; i < total.size(); ++i)
   {
@@ -21,6 +22,7 @@ void MoveInto(IlluminationSums& total, IlluminationSums& part)
 {
   MoveInto(total.front, part.front);
   MoveInto(total.back, part.back);
+  MoveInto(total.arrivals, part.arrivals);
   total.cutByWeightBound += part.cutByWeightBound;
   total.balance += part.balance;
   part.cutByWeightBound = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/statistics/Arrivals.h"
 #include "PhotonTransport/statistics/PhotonBalance.h"
 
 #include <cstdint>
@@ -56,9 +57,10 @@ struct alignas(32) VertexSums
 struct IlluminationSums
 {
   IlluminationSums() = default;
-  IlluminationSums(std::size_t vertices, bool backSide)
+  IlluminationSums(std::size_t vertices, bool backSide, std::size_t lamps = 1)
     : front(vertices)
     , back(backSide ? vertices : 0)
+    , arrivals(lamps)
   {
   }
 
@@ -68,6 +70,7 @@ struct IlluminationSums
   /// is in lm.
   FixedPoint cutByWeightBound = 0;
   PhotonBalance balance;
+  std::vector<Arrivals> arrivals; ///< By lamp.
 };
 
 /// Adds `part` to `total` and clears it for the next use.

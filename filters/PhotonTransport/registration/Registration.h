@@ -108,6 +108,8 @@ struct PhotonOrigin
   std::uint32_t lamp = 0;
   std::uint16_t channel = 0;
   bool direct = true; ///< From the lamp, through panes at most.
+  bool arrived =
+    false; ///< Counted as such; see Arrivals. Not kept where nothing lets light through.
 };
 
 /// Adds hits to one thread's sums.

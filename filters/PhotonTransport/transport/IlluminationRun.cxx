@@ -112,6 +112,11 @@ std::optional<StopReason> IlluminationRun::RuleReached(const StopRules& rules) c
   {
     return StopReason::RelativeError;
   }
+  if (rules.relativeError > 0.0 && this->BlocksTraced() * PhotonBlock >= MostPhotonsInTheDark &&
+    !this->Sums.AnyLight(&IlluminationSums::front))
+  {
+    return StopReason::NothingLit;
+  }
   if (this->BlocksTraced() * PhotonBlock >= rules.photons)
   {
     return StopReason::PhotonLimit;
@@ -255,11 +260,13 @@ std::vector<double> IlluminationRun::FrontOfLamp(std::size_t lamp) const
 
 double IlluminationRun::FluxSwitchedOff(Scattering scattering) const
 {
-  const PhotonBalance balance = this->Balance();
-  const auto photons = balance.switchedOff[static_cast<unsigned>(scattering)];
-  return balance.emitted > 0
-    ? this->Flux() / static_cast<double>(balance.emitted) * static_cast<double>(photons)
-    : 0.0;
+  return this->FluxOf(this->Balance().switchedOff[static_cast<unsigned>(scattering)]);
+}
+
+double IlluminationRun::FluxOf(std::uint64_t photons) const
+{
+  const auto emitted = static_cast<double>(this->Balance().emitted);
+  return emitted > 0.0 ? this->Flux() / emitted * static_cast<double>(photons) : 0.0;
 }
 
 double IlluminationRun::FluxCutByWeightBound() const

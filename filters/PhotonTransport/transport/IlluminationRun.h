@@ -23,6 +23,11 @@ struct StopRules
   double seconds = 0.0;       ///< Of tracing; 0 is no limit.
 };
 
+/// A run towards a relative error ends when so many photons have come and none has registered: with
+/// 95 % confidence less than 3 in so many photons would, which no target can be met by. Rather than
+/// up to 10^10 photons, that takes a second.
+constexpr std::uint64_t MostPhotonsInTheDark = 1u << 20;
+
 /// Throws InvalidInput that names the rule.
 void Validate(const StopRules& rules);
 
@@ -32,7 +37,8 @@ enum class StopReason : int
   RelativeError,
   TimeLimit,
   Abort,
-  SumsFull ///< Some vertex has as many hits as its sum can hold with certainty.
+  SumsFull,  ///< Some vertex has as many hits as its sum can hold with certainty.
+  NothingLit ///< There is a target, and of MostPhotonsInTheDark none has registered.
 };
 
 struct RunProgress
@@ -79,8 +85,16 @@ public:
   std::vector<double> FrontOfLamp(std::size_t lamp) const;
 
   PhotonBalance Balance() const { return this->Sums.Balance(); }
+  /// Where each luminaire's photons first arrived. [luminaire]
+  std::vector<Arrivals> ArrivalsByLamp() const { return this->Sums.ArrivalsByLamp(); }
+  /// See PhotonTracer.
+  std::optional<glm::uvec3> CornersLitFromBehind(std::size_t lamp) const
+  {
+    return this->Tracer.CornersLitFromBehind(static_cast<std::uint32_t>(lamp));
+  }
   double Flux() const { return this->Tracer.Flux(); }
-  double FluxCutByWeightBound() const; ///< lm
+  double FluxOf(std::uint64_t photons) const; ///< lm that so many photons stand for.
+  double FluxCutByWeightBound() const;        ///< lm
   /// What an effect that is switched off would have carried on, lm.
   double FluxSwitchedOff(Scattering scattering) const;
   double Seconds() const { return this->SecondsTraced; }

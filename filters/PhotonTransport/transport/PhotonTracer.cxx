@@ -34,7 +34,7 @@ template <Registration Kind, bool BackSide, Walk Way>
   IlluminationSums& sums, LightLayers& layers)
 {
   const Registrar<Kind, BackSide> registrar(job.walk.scene, job.weightBound, sums, layers);
-  WalkPhotons<Way>(job.walk, first, last, registrar, sums.balance);
+  WalkPhotons<Way>(job.walk, first, last, registrar, sums.balance, sums.arrivals.data());
 }
 
 using BlockTracer = void (*)(
@@ -223,7 +223,38 @@ PhotonTracer::~PhotonTracer() = default;
 
 IlluminationSums PhotonTracer::EmptySums() const
 {
-  return { this->Surroundings.Vertices().size(), this->Settings.registerBackSide };
+  return { this->Surroundings.Vertices().size(), this->Settings.registerBackSide,
+    this->Source.Lamps() };
+}
+
+std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp) const
+{
+  constexpr std::uint64_t Tries = 1u << 16;
+  PhotonSample sample({ this->Settings.seed, 0, this->Settings.sampling }, 0);
+  for (std::uint64_t photon = 0; photon < Tries; ++photon, sample.Advance())
+  {
+    const Emission emission = this->Source.Emit(sample);
+    if (emission.lamp != lamp)
+    {
+      continue;
+    }
+    Hit hit;
+    this->Surroundings.Intersect(&emission.ray, &hit, 1);
+    if (!hit)
+    {
+      continue;
+    }
+    const Facet& facet = this->Surroundings.Facets()[hit.facet];
+    const bool front = glm::dot(emission.ray.direction, facet.normal) < 0.0f ||
+      this->Surroundings.PreferFront(emission.ray, hit);
+    const bool translucent = !this->Materials.ofFacet.empty() &&
+      this->Materials.roulettes[this->Materials.ofFacet[hit.facet]].translucent;
+    if (!front && !translucent)
+    {
+      return facet.vertices;
+    }
+  }
+  return std::nullopt;
 }
 
 LightLayers PhotonTracer::EmptyLayers() const

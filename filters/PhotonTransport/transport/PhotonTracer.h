@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace PhotonTransport
@@ -45,6 +46,10 @@ public:
   LightLayers EmptyLayers() const;
   double Flux() const { return this->Source.Flux(); }
   const Effects& EffectsInUse() const { return this->Answer; }
+
+  /// The corners of a facet on whose back light of a lamp first arrives, for example; nothing if
+  /// there is hardly such light. See Arrivals.
+  std::optional<glm::uvec3> CornersLitFromBehind(std::uint32_t lamp) const;
 
 private:
   struct Workers;

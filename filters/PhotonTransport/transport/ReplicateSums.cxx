@@ -2,6 +2,7 @@
 #include "PhotonTransport/transport/ReplicateSums.h"
 
 #include "PhotonTransport/scene/ParallelFor.h"
+#include "PhotonTransport/statistics/FewHits.h"
 #include "PhotonTransport/statistics/ReplicateStatistics.h"
 
 #include <algorithm>
@@ -12,6 +13,26 @@
 namespace PhotonTransport
 {
 
+namespace
+{
+
+/// What a hit adds to a vertex. @param sums Of weights, in place of illuminances. In order, so that
+/// the same sums give the same bits.
+double MeanWeight(const IlluminationMap& sums)
+{
+  constexpr double WithoutCompensation = 1.0 / 3.0;
+  double weights = 0.0;
+  double hits = 0.0;
+  for (std::size_t v = 0; v < sums.direct.size(); ++v)
+  {
+    weights += sums.direct[v] + sums.indirect[v];
+    hits += static_cast<double>(sums.photonHits[v]);
+  }
+  return weights > 0.0 ? weights / hits : WithoutCompensation;
+}
+
+} // namespace
+
 PhotonBalance ReplicateSums::Balance() const
 {
   PhotonBalance balance;
@@ -20,6 +41,19 @@ PhotonBalance ReplicateSums::Balance() const
     balance += replicate.balance;
   }
   return balance;
+}
+
+std::vector<Arrivals> ReplicateSums::ArrivalsByLamp() const
+{
+  std::vector<Arrivals> arrivals(this->replicates.front().arrivals.size());
+  for (const IlluminationSums& replicate : this->replicates)
+  {
+    for (std::size_t lamp = 0; lamp < arrivals.size(); ++lamp)
+    {
+      arrivals[lamp] += replicate.arrivals[lamp];
+    }
+  }
+  return arrivals;
 }
 
 double ReplicateSums::CutByWeightBound() const
@@ -38,35 +72,55 @@ IlluminationMap ReplicateSums::Map(Side side, double flux, const std::vector<dou
   IlluminationMap map{ std::vector<double>(vertices, 0.0), std::vector<double>(vertices, 0.0),
     std::vector<double>(vertices, 0.0), std::vector<std::uint64_t>(vertices, 0) };
   const auto emitted = static_cast<double>(this->Balance().emitted);
-  const auto evaluate = [&](std::size_t v)
+  const auto forEach = [&](const auto& evaluate)
   {
-    VertexSums total;
-    ReplicateStatistics statistics;
-    for (const IlluminationSums& replicate : this->replicates)
-    {
-      const VertexSums& sums = (replicate.*side)[v];
-      const auto photons = static_cast<double>(replicate.balance.emitted);
-      total += sums;
-      statistics.Add(FromFixedPoint(sums.direct + sums.indirect) / photons, photons);
-    }
-    const double luxPerWeight = flux / areas[v];
-    map.direct[v] = luxPerWeight * FromFixedPoint(total.direct) / emitted;
-    map.indirect[v] = luxPerWeight * FromFixedPoint(total.indirect) / emitted;
-    map.standardError[v] = luxPerWeight * statistics.StandardError();
-    map.photonHits[v] = total.hits;
-  };
-  ParallelFor(0, vertices,
-    [&](const tbb::blocked_range<std::uint64_t>& range)
-    {
-      for (std::size_t v = range.begin(); v < range.end(); ++v)
+    ParallelFor(0, vertices,
+      [&](const tbb::blocked_range<std::uint64_t>& range)
       {
-        if (areas[v] > 0.0 && emitted > 0.0)
+        for (std::size_t v = range.begin(); v < range.end(); ++v)
         {
-          evaluate(v);
+          if (areas[v] > 0.0 && emitted > 0.0)
+          {
+            evaluate(v);
+          }
         }
+      });
+  };
+  // Weights first: what a hit adds on average is known only when all are there.
+  forEach(
+    [&](std::size_t v)
+    {
+      VertexSums total;
+      ReplicateStatistics statistics;
+      for (const IlluminationSums& replicate : this->replicates)
+      {
+        const VertexSums& sums = (replicate.*side)[v];
+        const auto photons = static_cast<double>(replicate.balance.emitted);
+        total += sums;
+        statistics.Add(FromFixedPoint(sums.direct + sums.indirect) / photons, photons);
       }
+      map.direct[v] = FromFixedPoint(total.direct);
+      map.indirect[v] = FromFixedPoint(total.indirect);
+      map.standardError[v] = emitted * statistics.StandardError();
+      map.photonHits[v] = total.hits;
+    });
+  const FewHits fewHits(MeanWeight(map), this->CanTellSpread());
+  forEach(
+    [&](std::size_t v)
+    {
+      const double luxPerWeight = flux / areas[v];
+      const double error = fewHits.StandardError(map.standardError[v], map.photonHits[v]);
+      map.direct[v] = luxPerWeight * map.direct[v] / emitted;
+      map.indirect[v] = luxPerWeight * map.indirect[v] / emitted;
+      map.standardError[v] = luxPerWeight * error / emitted;
     });
   return map;
+}
+
+bool ReplicateSums::CanTellSpread() const
+{
+  return std::count_if(this->replicates.begin(), this->replicates.end(),
+           [](const IlluminationSums& replicate) { return replicate.balance.emitted > 0; }) >= 2;
 }
 
 GroupMeans ReplicateSums::FrontByGroups(double flux, const std::vector<double>& areas) const
@@ -119,6 +173,16 @@ GroupMeans ReplicateSums::FrontByGroups(double flux, const std::vector<double>& 
       }
     });
   return groups;
+}
+
+bool ReplicateSums::AnyLight(Side side) const
+{
+  return std::any_of(this->replicates.begin(), this->replicates.end(),
+    [&](const IlluminationSums& replicate)
+    {
+      return std::any_of((replicate.*side).begin(), (replicate.*side).end(),
+        [](const VertexSums& sums) { return sums.direct + sums.indirect > 0; });
+    });
 }
 
 bool ReplicateSums::AreFull() const

@@ -19,19 +19,27 @@ struct ReplicateSums
   std::vector<IlluminationSums> replicates;
 
   PhotonBalance Balance() const;
+  /// [lamp]
+  std::vector<Arrivals> ArrivalsByLamp() const;
   /// Weight that the bound cut off; times flux / photons it is in lm.
   double CutByWeightBound() const;
 
-  /// E_i = (flux / N) V_i / A_i, DESIGN 4.1, and its standard error. @param flux lm. @param areas
-  /// [vertex] m^2.
+  /// E_i = (flux / N) V_i / A_i and its standard error: that of the replicates, or where a vertex
+  /// has few hits by FewHits. @param flux lm. @param areas [vertex] m^2.
   IlluminationMap Map(Side side, double flux, const std::vector<double>& areas) const;
 
   /// See IlluminationRun::FrontByGroups.
   GroupMeans FrontByGroups(double flux, const std::vector<double>& areas) const;
 
+  /// Whether anything has registered on that side.
+  bool AnyLight(Side side) const;
+
   /// Whether a vertex's sum over all replicates fills a quarter of its range: three times the
   /// photons could take it beyond.
   bool AreFull() const;
+
+  /// Whether two replicates or more have photons, so that they can tell a spread.
+  bool CanTellSpread() const;
 };
 
 } // namespace PhotonTransport

@@ -6,6 +6,7 @@
 #include "PhotonTransport/registration/Registration.h"
 #include "PhotonTransport/sampling/PhotonSample.h"
 #include "PhotonTransport/scene/Scene.h"
+#include "PhotonTransport/statistics/Arrivals.h"
 #include "PhotonTransport/statistics/PhotonBalance.h"
 
 #include <glm/geometric.hpp>
@@ -98,24 +99,68 @@ Departure Depart(
   }
 }
 
+constexpr bool LetsLightThrough(Walk kind)
+{
+  return (CompiledIn(kind) & Transmissions) != 0;
+}
+
+/// Counts by where it has come to a photon that had not arrived before; see Arrivals.
+/// @return Whether it has now: backs of panes and shades let it pass.
+template <Walk Kind>
+bool CountArrival(const Hit& hit, bool front, const WalkSettings& settings, Arrivals& arrivals)
+{
+  if constexpr (LetsLightThrough(Kind))
+  {
+    if (!front && settings.materials.roulettes[settings.materials.ofFacet[hit.facet]].translucent)
+    {
+      return false;
+    }
+  }
+  ++(front ? arrivals.front : arrivals.back);
+  return true;
+}
+
 /// What happens to a photon at the end of a segment.
 /// @param ray The segment; the next one if the photon goes on.
 /// @param hit Its end; moved to the right one of two facets in the same place.
 /// @param onHit Called as onHit(ray, hit, front, photon.origin).
+/// @param arrivals By lamp.
 /// @return Whether it goes on.
 template <Walk Kind, class OnHit>
 bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, const OnHit& onHit,
-  PhotonBalance& balance)
+  PhotonBalance& balance, Arrivals* arrivals)
 {
   ++balance.segments;
+  bool underWay =
+    Kind == Walk::Ends || (LetsLightThrough(Kind) ? !photon.origin.arrived : photon.order == 0);
   if (!hit)
   {
     ++balance.escaped;
+    if (underWay)
+    {
+      ++arrivals[photon.origin.lamp].escaped;
+    }
     return false;
   }
   bool front = glm::dot(ray.direction, settings.scene.Facets()[hit.facet].normal) < 0.0f;
   front = front || settings.scene.PreferFront(ray, hit);
   onHit(ray, hit, front, photon.origin);
+  if (underWay)
+  {
+    underWay = !CountArrival<Kind>(hit, front, settings, arrivals[photon.origin.lamp]);
+    if constexpr (LetsLightThrough(Kind))
+    {
+      photon.origin.arrived = !underWay;
+    }
+  }
+  // Only walks that let light through have photons under way beyond here.
+  [[maybe_unused]] const auto countEnd = [&](std::uint64_t Arrivals::*end)
+  {
+    if (LetsLightThrough(Kind) && underWay)
+    {
+      ++(arrivals[photon.origin.lamp].*end);
+    }
+  };
 
   if constexpr (Kind == Walk::Ends)
   {
@@ -128,17 +173,20 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
     if (departure.absorbed)
     {
       ++balance.absorbed;
+      countEnd(&Arrivals::absorbed);
       return false;
     }
     if ((settings.switchedOn & SetOf(departure.how)) == 0)
     {
       ++balance.cutOff;
+      countEnd(&Arrivals::cutOff);
       ++balance.switchedOff[static_cast<unsigned>(departure.how)];
       return false;
     }
     if (++photon.order >= settings.longestPath)
     {
       ++balance.cutOff;
+      countEnd(&Arrivals::cutOff);
       return false;
     }
     photon.origin.direct = photon.origin.direct && departure.undeflected;
@@ -153,9 +201,10 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
 ///
 /// Many at a time, for two reasons: Embree takes rays in packets, and the memory that one photon
 /// waits for arrives while others are being traced. Sums do not depend on the order.
+/// @param arrivals By lamp.
 template <Walk Kind, class OnHit>
 void WalkPhotons(const WalkSettings& settings, std::uint64_t first, std::uint64_t last,
-  const OnHit& onHit, PhotonBalance& balance)
+  const OnHit& onHit, PhotonBalance& balance, Arrivals* arrivals)
 {
   constexpr std::size_t Together = 64;
   std::array<Flight, Together> photons;
@@ -186,7 +235,7 @@ void WalkPhotons(const WalkSettings& settings, std::uint64_t first, std::uint64_
     std::size_t stillFlying = 0;
     for (std::size_t i = 0; i < flying; ++i)
     {
-      if (Arrive<Kind>(photons[i], rays[i], hits[i], settings, onHit, balance))
+      if (Arrive<Kind>(photons[i], rays[i], hits[i], settings, onHit, balance, arrivals))
       {
         photons[stillFlying] = photons[i];
         rays[stillFlying++] = rays[i];

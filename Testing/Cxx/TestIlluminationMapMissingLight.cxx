@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Light that a map does not show is explained by one warning, and by none where all is well.
+#include "TestTools.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCubeSource.h"
+#include "vtkLuminaireSource.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkSphereSource.h"
+
+#include <cmath>
+#include <functional>
+
+namespace
+{
+
+/// A closed room of 4 m by 4 m by 3 m, its corner at the origin.
+vtkSmartPointer<vtkPolyData> Room(bool inward)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->SetBounds(0.0, 4.0, 0.0, 4.0, 0.0, 3.0);
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputConnection(cube->GetOutputPort());
+  normals->SetFlipNormals(inward);
+  normals->ConsistencyOff();
+  normals->Update();
+  return normals->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> With(vtkPolyData* room, double x, double y, double z, double radius)
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(x, y, z);
+  ball->SetRadius(radius);
+  vtkNew<vtkAppendPolyData> all;
+  all->AddInputData(room);
+  all->AddInputConnection(ball->GetOutputPort());
+  all->Update();
+  return all->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> Table()
+{
+  vtkNew<vtkPlaneSource> table;
+  table->SetResolution(4, 4);
+  table->Update();
+  return table->GetOutput();
+}
+
+struct Case
+{
+  const char* name;
+  vtkSmartPointer<vtkPolyData> surface;
+  std::function<void(vtkIlluminationMap*)> set;
+  const char* words; ///< Of the warning; none is expected where they are empty.
+};
+
+void Point(vtkIlluminationMap* map, double x, double y, double z)
+{
+  map->SetLampType(vtkIlluminationMap::POINT);
+  map->SetLampPosition(x, y, z);
+}
+
+void Spot(vtkIlluminationMap* map, double z, double direction)
+{
+  map->SetLampType(vtkIlluminationMap::SPOT);
+  map->SetLampPosition(2.0, 2.0, z);
+  map->SetLampDirection(0.0, 0.0, direction);
+}
+
+std::vector<Case> Cases()
+{
+  using Map = vtkIlluminationMap;
+  const auto inside = [](Map* map) { Point(map, 2.0, 2.0, 2.0); };
+  const auto overTable = [](Map* map) { Point(map, 0.0, 0.0, 1.0); };
+  return {
+    { "a lamp in a room", Room(true), inside, "" },
+    { "a lamp in a room inside out", Room(false), inside, "fell on the backs of facets" },
+    { "the same, backs registered", Room(false),
+      [=](Map* map)
+      {
+        inside(map);
+        map->RegisterBackSideOn();
+      },
+      "" },
+    { "a lamp in mm", Room(true), [](Map* map) { Point(map, 2000.0, 2000.0, 2000.0); },
+      "divided by 1000, as from millimetres to metres" },
+    { "a lamp near the room", Room(true), [](Map* map) { Point(map, 2.0, 2.0, 5.0); },
+      "fell on the backs of facets" },
+    { "a spot above the ceiling", Room(true), [](Map* map) { Spot(map, 4.0, -1.0); },
+      "fell on the backs of facets" },
+    { "a spot that looks away", Room(true), [](Map* map) { Spot(map, 4.0, 1.0); },
+      "left the scene without meeting it" },
+    { "a lamp in a solid ball", With(Room(true), 2.0, 2.0, 2.0, 0.3), inside,
+      "inside a solid body" },
+    { "a lamp in a shade", With(Room(true), 2.0, 2.0, 2.0, 0.3),
+      [=](Map* map)
+      {
+        inside(map);
+        map->SetDiffuseTransmittance(0.4);
+      },
+      "" },
+    { "a lamp in a ball of glass", With(Room(true), 2.0, 2.0, 2.0, 0.3),
+      [=](Map* map)
+      {
+        inside(map);
+        map->SetReflectance(0.0);
+        map->SetClearTransmittance(0.9);
+        map->SolidBodyOn();
+      },
+      "" },
+    { "a ball beside the lamp", With(Room(true), 1.0, 1.0, 1.0, 0.3), inside, "" },
+    { "a closed room by default", Room(true), [](Map*) {}, "If the surface is a closed room" },
+    { "the outside of a box by default", Room(false), [](Map*) {}, "" },
+    { "a table by default", Table(), [](Map*) {}, "" },
+    { "a lamp over a table", Table(), overTable, "" },
+    { "light along a table", Table(), [](Map* map) { map->SetLampDirection(1.0, 0.0, 0.0); },
+      "met no facet" },
+    { "a table from below", Table(), [](Map* map) { map->SetLampDirection(0.0, 0.0, 1.0); },
+      "reached next to no front" },
+    { "a target in the dark", Room(true),
+      [](Map* map)
+      {
+        map->SetTargetRelativeError(0.01);
+        map->SetPhotons(10000000000);
+      },
+      "TargetRelativeError can't be met" },
+    { "a lamp of 0 lm", Room(true),
+      [=](Map* map)
+      {
+        inside(map);
+        map->SetLuminousFlux(0.0);
+      },
+      "" },
+  };
+}
+
+void CheckFlux(vtkDataObject* output, Checks& check, const std::string& name)
+{
+  const double emitted = FieldValue(output, "EmittedFlux");
+  const double arrived = FieldValue(output, "FluxOnFronts") + FieldValue(output, "FluxOnBacks") +
+    FieldValue(output, "FluxEscaped");
+  check(arrived <= emitted * (1.0 + 1e-12), name + ": no more arrives than is emitted");
+  const bool opaque = FieldText(output, "Effects").find("transmission: on") == std::string::npos &&
+    FieldText(output, "Effects").find("refraction: on") == std::string::npos;
+  check(!opaque || std::fabs(arrived - emitted) <= 1e-12 * emitted, name + ": all is told");
+}
+
+/// The lamp that most light is missing of is named.
+void CheckName(Checks& check)
+{
+  vtkNew<vtkIlluminationMap> map;
+  map->SetInputData(Room(true));
+  vtkNew<vtkLuminaireSource> lamps[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    lamps[i]->SetType(vtkLuminaireSource::POINT);
+    lamps[i]->SetPosition(2.0, 2.0, i == 0 ? 2.0 : 3.5);
+    lamps[i]->SetLuminaireName(i == 0 ? "inside" : "above");
+    map->AddLuminaireConnection(lamps[i]->GetOutputPort());
+  }
+  vtkNew<ErrorCounter> warnings;
+  map->AddObserver(vtkCommand::WarningEvent, warnings);
+  map->Update();
+  check(warnings->Count == 1, "one warning for two lamps");
+  check(warnings->Messages.find("luminaire 'above'") != std::string::npos, "the lamp is named");
+  check(warnings->Messages.find("'inside'") == std::string::npos, "the other one is not");
+  check(warnings->Messages.find("of cell 5") != std::string::npos, "a cell is named");
+}
+
+} // namespace
+
+int TestIlluminationMapMissingLight(int, char*[])
+{
+  Checks check;
+  for (const Case& c : Cases())
+  {
+    vtkNew<vtkIlluminationMap> map;
+    vtkNew<ErrorCounter> warnings;
+    vtkNew<ErrorCounter> errors;
+    map->AddObserver(vtkCommand::WarningEvent, warnings);
+    map->AddObserver(vtkCommand::ErrorEvent, errors);
+    map->SetInputData(c.surface);
+    map->SetPhotons(20000);
+    c.set(map);
+    map->Update();
+    const std::string words = c.words;
+    const std::string name = c.name;
+    check(errors->Count == 0, name + ": " + errors->Messages);
+    check(warnings->Count == (words.empty() ? 0 : 1), name + ": " + warnings->Messages);
+    check(warnings->Messages.find(words) != std::string::npos, name + ": " + warnings->Messages);
+    CheckFlux(map->GetOutput(), check, name);
+    if (name == "a target in the dark")
+    {
+      check(FieldText(map->GetOutput(), "StoppedBy").find("nothing lit") == 0, name);
+    }
+    if (name == "a lamp of 0 lm")
+    {
+      check(FieldText(map->GetOutput(), "Notes").find("0 lm") != std::string::npos, name);
+    }
+  }
+  CheckName(check);
+  return check.Failures();
+}
