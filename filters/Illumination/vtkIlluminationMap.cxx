@@ -267,7 +267,10 @@ void vtkIlluminationMap::Trace(
     {
       AddGroupMeans(blocks, this->Kept->Scene, run);
     }
-    AddFieldData(output->GetFieldData(), run, reason, NotesOn(blocks, this->Kept->Scene));
+    std::vector<std::string> notes = NotesOn(blocks, this->Kept->Scene);
+    const std::vector<std::string> onFiles = NotesOn(lighting);
+    notes.insert(notes.end(), onFiles.begin(), onFiles.end());
+    AddFieldData(output->GetFieldData(), run, reason, notes);
     AddMemoryNeeded(output->GetFieldData(), need);
     FillAccuracyTable(accuracy, run.Rounds());
   }

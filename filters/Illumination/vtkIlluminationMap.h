@@ -29,7 +29,8 @@
  * and these field data arrays: PhotonsEmitted = PhotonsAbsorbed + PhotonsEscaped + PhotonsCutOff,
  * EmittedFlux (lm), FluxCutByWeightBound (lm), FluxSwitchedOff (lm), Seconds, PhotonsPerSecond,
  * SegmentsPerSecond, MemoryNeeded (bytes, at most), StoppedBy, Effects (which are on or off, and
- * why), Notes (what was found and mended in the input), IlluminationMapsVersion.
+ * why), Notes (what was found and mended in the input, and
+ * what was assumed of photometric files), IlluminationMapsVersion.
  *
  * Give watts for lumens and the result is irradiance in W/m^2.
  *

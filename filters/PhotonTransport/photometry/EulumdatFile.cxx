@@ -4,6 +4,7 @@
 #include "PhotonTransport/photometry/EulumdatGrid.h"
 #include "PhotonTransport/photometry/EulumdatLamps.h"
 #include "PhotonTransport/photometry/PhotometricFile.h"
+#include "PhotonTransport/photometry/PhotometricNumbers.h"
 #include "PhotonTransport/photometry/Readings.h"
 
 #include <algorithm>
@@ -50,6 +51,7 @@ struct Head
   EulumdatGrid grid;
   double outputRatio = 0.0; ///< %, of the luminaire's to the lamps' flux.
   double factor = 1.0;      ///< cd for each unit of the file's intensities.
+  bool isPlausible = false; ///< The lamps are where they should be.
 };
 
 /// To the end of the sets of lamps.
@@ -70,27 +72,11 @@ Head ReadHead(TextReader& reader, PhotometricSolid& solid)
   head.factor = reader.Positive(conversion, reader.NumberLine(conversion, 0.0, LargestNumber));
   Skip(reader, 1, "tilt during measurement"); // 25
   const EulumdatLamps lamps = ReadEulumdatLamps(reader);
+  head.isPlausible = lamps.isPlausible;
   solid.inputPower = lamps.watts;
   solid.ratedFlux = lamps.isAbsolute ? 0.0 : lamps.flux;
   head.factor *= lamps.flux / 1000.0; // cd/klm
   return head;
-}
-
-/// The file names the luminaire's share of the lamps' flux, which the intensities should make.
-void NoteOnOutputRatio(const Head& head, PhotometricSolid& solid)
-{
-  if (solid.ratedFlux == 0.0 || head.outputRatio == 0.0)
-  {
-    return;
-  }
-  const double ratio = 100.0 * Flux(solid) / solid.ratedFlux;
-  constexpr double rounding = 1.0; // the file's percent may be whole ones
-  if (std::abs(ratio - head.outputRatio) > std::max(rounding, 0.05 * head.outputRatio))
-  {
-    solid.notes.push_back("the intensities make " + NumberText(ratio) +
-      " % of the lamps' flux, the file says " + NumberText(head.outputRatio) +
-      " %; the intensities were used");
-  }
 }
 
 /// @param reader After the lamps. @param ratios Lines to skip.
@@ -111,7 +97,7 @@ PhotometricSolid ReadRest(TextReader reader, PhotometricSolid solid, const Head&
     reader.Fail("the first gamma angle is " + NumberText(solid.polar.front()) + ", not 0 or 90");
   }
   solid.notes.insert(solid.notes.begin(), reader.Notes().begin(), reader.Notes().end());
-  NoteOnOutputRatio(head, solid);
+  NoteOnOutputRatio(solid, head.outputRatio);
   return solid;
 }
 
@@ -129,8 +115,9 @@ std::size_t NumbersAfter(TextReader reader, std::size_t ratios)
   return reader.NumbersAhead();
 }
 
-/// @param text Outlives the call. @param anyRatios Also with another number of direct ratios.
-PhotometricSolid Read(const PhotometricText& text, bool anyRatios)
+/// @param text Outlives the call. @param fewerRatios Also with fewer direct ratios, which is
+/// believed only where the lines of the lamps make sense: others may be missing instead.
+PhotometricSolid Read(const PhotometricText& text, bool fewerRatios)
 {
   TextReader reader(text, Commas::AreDecimal);
   PhotometricSolid solid;
@@ -142,9 +129,8 @@ PhotometricSolid Read(const PhotometricText& text, bool anyRatios)
       { return ReadRest(reader, solid, head, planes, ratios); });
   };
   attempt(EulumdatPlanes::Standard, DirectRatios);
-  const std::size_t first = anyRatios ? 0 : DirectRatios;
-  const std::size_t last = anyRatios ? 2 * DirectRatios : DirectRatios;
-  for (std::size_t ratios = first; ratios <= last; ++ratios)
+  const std::size_t least = fewerRatios && head.isPlausible ? 0 : DirectRatios;
+  for (std::size_t ratios = DirectRatios + 1; ratios-- > least;)
   {
     const std::size_t numbers = NumbersAfter(reader, ratios);
     for (const EulumdatPlanes planes : AllEulumdatPlanes)
@@ -174,32 +160,29 @@ bool IsBlank(const TextLine& line)
   return Trimmed(line.text).empty();
 }
 
+/// Without the blank lines that follow every line where a program has doubled line ends.
+PhotometricText WithoutDoubledLines(const PhotometricText& text)
+{
+  const auto& lines = text.lines;
+  const auto isAdded = [](const TextLine& line) { return line.number % 2 == 0; };
+  const bool isDoubled = lines.size() > 1 &&
+    std::all_of(lines.begin(), lines.end(),
+      [&](const TextLine& line) { return !isAdded(line) || IsBlank(line); });
+  return isDoubled ? Without(text, "blank lines after every line", isAdded) : text;
+}
+
 /// The text, and without blank lines that a program may have added. A blank line may also be a
 /// field that is not filled in: which it is shows in what the file makes then.
 std::vector<PhotometricText> Texts(const PhotometricText& text)
 {
   std::vector<PhotometricText> texts{ text };
-  const auto& lines = text.lines;
-  const auto firstText = std::find_if_not(lines.begin(), lines.end(), IsBlank);
-  if (firstText == lines.end())
-  {
-    return texts;
-  }
-  const std::size_t leading = firstText->number - 1;
-  if (leading > 0)
+  const auto first = std::find_if_not(text.lines.begin(), text.lines.end(), IsBlank);
+  if (first != text.lines.begin() && first != text.lines.end())
   {
     texts.push_back(Without(text, "blank lines before the first text",
-      [&](const TextLine& line) { return line.number <= leading; }));
+      [&](const TextLine& line) { return line.number < first->number; }));
   }
-  const auto isAdded = [&](const TextLine& line)
-  { return line.number > leading && (line.number - leading) % 2 == 0; };
-  if (std::all_of(lines.begin(), lines.end(),
-        [&](const TextLine& line) { return !isAdded(line) || IsBlank(line); }))
-  {
-    texts.push_back(Without(text, "blank lines after every line",
-      [&](const TextLine& line) { return line.number <= leading || isAdded(line); }));
-  }
-  if (std::any_of(lines.begin(), lines.end(), IsBlank))
+  if (std::any_of(first, text.lines.end(), IsBlank))
   {
     texts.push_back(Without(text, "blank lines", IsBlank));
   }
@@ -212,13 +195,13 @@ PhotometricSolid ReadEulumdat(std::istream& file)
 {
   // The format's reading comes first; another one counts only where that one fails and where all
   // numbers that the file announces are there, and no more.
-  const std::vector<PhotometricText> texts = Texts(ReadText(file));
+  const std::vector<PhotometricText> texts = Texts(WithoutDoubledLines(ReadText(file)));
   std::vector<Attempt> attempts;
-  for (const bool anyRatios : { false, true })
+  for (const bool fewerRatios : { false, true })
   {
     for (const PhotometricText& text : texts)
     {
-      attempts.push_back([&text, anyRatios] { return Read(text, anyRatios); });
+      attempts.push_back([&text, fewerRatios] { return Read(text, fewerRatios); });
     }
   }
   return FirstThatReads(attempts);

@@ -84,7 +84,13 @@ bool IsWithin(const std::optional<double>& value, double smallest, double larges
   return value && *value >= smallest && *value <= largest;
 }
 
-/// How much a set looks like one. Lamps give between 2 and 400 lm/W; their colour is in kelvins
+/// Whether lamps give as many lumens for a watt.
+bool IsEfficacy(double flux, double watts)
+{
+  return watts > 0.0 && IsWithin(flux / watts, 2.0, 400.0);
+}
+
+/// How much a set looks like one. Its colour is in kelvins
 /// (or a colour code of three digits), their colour rendering index at most 100.
 int Plausibility(const Lines& lines, const Layout& layout, std::size_t set)
 {
@@ -100,7 +106,7 @@ int Plausibility(const Lines& lines, const Layout& layout, std::size_t set)
   const std::optional<double> watts = WattsOf(text(Watts));
   if (flux && watts && *watts > 0.0)
   {
-    judge(IsWithin(*flux / *watts, 2.0, 400.0), 2, -2);
+    judge(IsEfficacy(*flux, *watts), 2, -2);
   }
   judge(!number(TypeOfLamps), 1, 0);
   if (const auto index = number(ColourRendering))
@@ -128,7 +134,7 @@ bool IsPossible(const Lines& lines, const Layout& layout)
   return true;
 }
 
-/// Notes what was chosen where both layouts are possible.
+/// Notes what was chosen where the other layout is possible too.
 Layout ChooseLayout(TextReader& reader, const Lines& lines, std::size_t sets)
 {
   const Layout rows{ sets, true };
@@ -138,25 +144,18 @@ Layout ChooseLayout(TextReader& reader, const Lines& lines, std::size_t sets)
   {
     difference += Plausibility(lines, rows, set) - Plausibility(lines, columns, set);
   }
-  const bool rowsPossible = IsPossible(lines, rows);
-  const bool columnsPossible = IsPossible(lines, columns);
-  if (rowsPossible != columnsPossible)
-  {
-    return rowsPossible ? rows : columns;
-  }
   const Layout& chosen = difference >= 0 ? rows : columns;
   const Layout& other = difference >= 0 ? columns : rows;
   const std::string& flux = lines[chosen.Line(0, FluxOfLamps)];
   const std::string& otherFlux = lines[other.Line(0, FluxOfLamps)];
-  if (rowsPossible && flux != otherFlux)
+  if (IsPossible(lines, other) && flux != otherFlux)
   {
     reader.Note("the " + std::to_string(sets) +
-      " sets of lamps that follow can be read set after "
-      "set or line after line of all sets; " +
+      " sets of lamps that follow can be read set after set or line after line of all sets; " +
       (chosen.isSetAfterSet ? "set after set" : "line after line") +
-      (difference == 0 ? " was chosen, which is no more plausible"
+      (difference == 0 ? " was chosen, although it is no more plausible"
                        : " was chosen, by lm/W, colour and the number of lamps") +
-      ": the flux is " + flux + " lm, not " + otherFlux + " lm");
+      ": the flux is " + Shortened(flux, 40) + " lm, not " + Shortened(otherFlux, 40) + " lm");
   }
   return chosen;
 }
@@ -208,6 +207,7 @@ EulumdatLamps ReadEulumdatLamps(TextReader& reader)
       reader.TextLine("set of lamps");
     }
   }
+  lamps.isPlausible = IsEfficacy(lamps.flux, lamps.watts);
   return lamps;
 }
 

@@ -11,7 +11,8 @@ struct EulumdatLamps
 {
   double flux = 0.0; ///< lm of the set's lamps together, > 0.
   double watts = 0.0;
-  bool isAbsolute = false; ///< The flux is the luminaire's.
+  bool isAbsolute = false;  ///< The flux is the luminaire's.
+  bool isPlausible = false; ///< Flux and watts go together.
 };
 
 /// Reads the number of sets and their six lines each, set after set or each of the six for all

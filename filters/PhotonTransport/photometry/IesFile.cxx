@@ -170,6 +170,7 @@ PhotometricSolid ReadWithNote(
   const PhotometricText& text, const std::string& folder, const IesReading& reading)
 {
   PhotometricSolid solid = Read(text, folder, reading);
+  NoteOnOutputRatio(solid, 0.0);
   if (reading.commas == Commas::AreDecimal)
   {
     solid.notes.push_back("commas between digits were read as decimal points: taken for "

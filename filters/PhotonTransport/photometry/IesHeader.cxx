@@ -59,14 +59,17 @@ std::optional<IesEdition> EditionOf(const std::string& line)
   const std::string normalised = LettersAndDigits(line);
   std::string_view text = normalised;
   TakeBeginning(text, "ANSI");
-  const bool isIes = TakeBeginning(text, "IESNA") || TakeBeginning(text, "IES");
+  const bool isIesna = TakeBeginning(text, "IESNA");
+  const bool isIes = isIesna || TakeBeginning(text, "IES");
   const bool isLm63 = TakeBeginning(text, "LM63");
   if (!isIes && !isLm63)
   {
     return std::nullopt;
   }
   const std::size_t end = std::min(text.find_first_not_of("0123456789"), text.size());
-  const int year = Year(text.substr(0, end));
+  // 2019 is the IES's edition; after IESNA, 19 is the beginning of another year.
+  const bool isCut = isIesna && text.substr(0, end) == "19";
+  const int year = isCut ? 0 : Year(text.substr(0, end));
   // Names of luminaires begin with such letters too.
   if (!(isIes && isLm63) && !IsYearOfAnEdition(year))
   {

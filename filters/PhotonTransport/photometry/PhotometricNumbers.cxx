@@ -2,6 +2,7 @@
 #include "PhotonTransport/photometry/PhotometricNumbers.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace PhotonTransport
 {
@@ -54,6 +55,24 @@ std::vector<double> ReadIntensities(
   }
   reader.EndAfter(name);
   return candela;
+}
+
+void NoteOnOutputRatio(PhotometricSolid& solid, double stated)
+{
+  if (solid.ratedFlux == 0.0)
+  {
+    return;
+  }
+  const double ratio = 100.0 * Flux(solid) / solid.ratedFlux;
+  const double wanted = stated > 0.0 ? stated : std::min(ratio, 100.0);
+  constexpr double rounding = 1.0; // the file's percent may be whole ones
+  if (std::abs(ratio - wanted) > std::max(rounding, 0.05 * wanted))
+  {
+    solid.notes.push_back("the intensities make " + NumberText(ratio) + " % of the lamps' flux, " +
+      NumberText(solid.ratedFlux) + " lm; " +
+      (stated > 0.0 ? "the file says " + NumberText(stated) + " %" : "a luminaire gives less") +
+      ". The intensities were used as they are");
+  }
 }
 
 } // namespace PhotonTransport

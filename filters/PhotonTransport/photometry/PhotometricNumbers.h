@@ -2,6 +2,7 @@
 // What files of all kinds have in common, and what their light depends on: angles and intensities.
 #pragma once
 
+#include "PhotonTransport/photometry/PhotometricSolid.h"
 #include "PhotonTransport/photometry/TextReader.h"
 
 #include <functional>
@@ -26,5 +27,10 @@ std::vector<double> ReadAngles(TextReader& reader, const char* name, std::size_t
 /// the file's numbers.
 std::vector<double> ReadIntensities(
   TextReader& reader, const char* name, std::size_t count, double factor);
+
+/// Notes where the intensities of relative photometry do not make the flux that they should.
+/// @param stated The luminaire's share of the lamps' flux by the file, %; 0: not stated, at most
+/// 100.
+void NoteOnOutputRatio(PhotometricSolid& solid, double stated);
 
 } // namespace PhotonTransport

@@ -10,6 +10,8 @@ namespace PhotonTransport
 namespace
 {
 
+constexpr char CtrlZ = '\x1A';
+
 enum class Encoding
 {
   Bytes, ///< UTF-8 or Latin-1, each line for itself.
@@ -17,23 +19,19 @@ enum class Encoding
   Utf16BigEndian
 };
 
-/// NUL stays, so that it spoils a number and does not cut it in two.
-bool IsControl(char32_t c)
-{
-  return (c > 0 && c < ' ') || c == 0x7F;
-}
-
-/// No-break space, spaces of all widths, and the byte order mark, which is a space without a width.
+/// Tabs and form feeds, no-break space, spaces of all widths, and the byte order mark, which is a
+/// space without a width.
 bool IsSpace(char32_t c)
 {
-  return c == ' ' || c == 0xA0 || c == 0x1680 || (c >= 0x2000 && c <= 0x200B) || c == 0x2028 ||
-    c == 0x2029 || c == 0x202F || c == 0x205F || c == 0x3000 || c == 0xFEFF;
+  return c == ' ' || (c >= '\t' && c <= '\r') || c == 0xA0 || c == 0x1680 ||
+    (c >= 0x2000 && c <= 0x200B) || c == 0x2028 || c == 0x2029 || c == 0x202F || c == 0x205F ||
+    c == 0x3000 || c == 0xFEFF;
 }
 
 void AppendUtf8(std::string& text, char32_t c)
 {
   constexpr char32_t minusSign = 0x2212;
-  if (IsSpace(c) || IsControl(c))
+  if (IsSpace(c))
   {
     text += ' ';
     return;
@@ -122,7 +120,7 @@ Encoding EncodingOf(const std::string& bytes, std::vector<std::string>& notes)
   return isLittle ? Encoding::Utf16LittleEndian : Encoding::Utf16BigEndian;
 }
 
-/// UTF-16 in the way that UTF-8 files have, but for control characters, which lines need.
+/// Lines keep their ends.
 std::string Utf16AsUtf8(const std::string& bytes, bool isLittle)
 {
   const auto unit = [&](std::size_t i) -> char32_t
@@ -182,6 +180,15 @@ PhotometricText ReadText(std::istream& file)
     bytes = Utf16AsUtf8(bytes, encoding == Encoding::Utf16LittleEndian);
   }
   bytes.erase(bytes.find_last_not_of('\0') + 1);
+  const std::size_t end = bytes.find(CtrlZ);
+  if (end != std::string::npos)
+  {
+    if (bytes.find_first_not_of(std::string(" \t\r\n") + CtrlZ, end) != std::string::npos)
+    {
+      text.notes.push_back("what follows Ctrl-Z, the end of a file from DOS, was not read");
+    }
+    bytes.erase(end);
+  }
   text.lines = Lines(bytes);
   return text;
 }
@@ -209,7 +216,9 @@ std::string Shortened(std::string_view text, std::size_t length)
     --end;
   }
   std::string beginning(text.substr(0, end));
-  std::replace(beginning.begin(), beginning.end(), '\0', ' ');
+  std::replace_if(
+    beginning.begin(), beginning.end(),
+    [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 0x7F; }, ' ');
   return beginning + (end < text.size() ? "..." : "");
 }
 

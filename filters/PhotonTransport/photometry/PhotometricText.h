@@ -25,8 +25,9 @@ struct PhotometricText
 
 /// Reads UTF-8, UTF-16 (with a byte order mark, or without one where every second byte is 0) and,
 /// line by line, Latin-1, which is what bytes that are not UTF-8 are taken for. Lines end with LF,
-/// CR LF or CR, in any mixture. Spaces of any width and all control characters but NUL become
-/// blanks; NULs at the end of the file are dropped.
+/// CR LF or CR, in any mixture, the file with Ctrl-Z at the latest. Tabs and spaces of any width
+/// become blanks; other control characters stay, so that they spoil a number and do not cut it in
+/// two. NULs at the end of the file are dropped.
 PhotometricText ReadText(std::istream& file);
 
 /// Without blanks at either end.
@@ -35,7 +36,8 @@ std::string_view Trimmed(std::string_view text);
 /// Letters a to z in upper case.
 std::string UpperCase(std::string_view text);
 
-/// The first bytes, at most `length`, without a cut through a character, and "..." for the rest.
+/// For messages: the first bytes, at most `length`, without a cut through a character, and "..."
+/// for the rest; blanks for control characters.
 std::string Shortened(std::string_view text, std::size_t length);
 
 /// Adds a part that is not empty to a list that commas separate.

@@ -10,7 +10,6 @@ namespace PhotonTransport
 
 PhotometricSolid FirstThatReads(const std::vector<Attempt>& attempts)
 {
-  std::size_t furthest = 0;
   std::exception_ptr error;
   for (const Attempt& attempt : attempts)
   {
@@ -18,13 +17,9 @@ PhotometricSolid FirstThatReads(const std::vector<Attempt>& attempts)
     {
       return attempt();
     }
-    catch (const PhotometricFileError& failed)
+    catch (const PhotometricFileError&)
     {
-      if (failed.Line > furthest)
-      {
-        furthest = failed.Line;
-        error = std::current_exception();
-      }
+      error = error ? error : std::current_exception();
     }
   }
   std::rethrow_exception(error);

@@ -12,8 +12,8 @@ namespace PhotonTransport
 /// One way to read a file. Throws PhotometricFileError if the file is inconsistent in that way.
 using Attempt = std::function<PhotometricSolid()>;
 
-/// What the first attempt that does not throw gives. If all throw, the error of the one that came
-/// furthest, the earlier one of two.
+/// What the first attempt that does not throw gives. If all throw, the error of the first one,
+/// which is the standard's way.
 PhotometricSolid FirstThatReads(const std::vector<Attempt>& attempts);
 
 } // namespace PhotonTransport
