@@ -96,7 +96,6 @@ TEST(PhotometricVariants, WithoutAnEditionTheNumberIsAFactorAsFarAsItCanBeOne)
 {
   for (const std::vector<std::string>& header :
     { std::vector<std::string>{}, std::vector<std::string>{ "IES 63 W downlight" },
-      std::vector<std::string>{ "IESNA:LM-63" },
       std::vector<std::string>{ "[OTHER] IESNA:LM-63-2002" } })
   {
     const auto expect = [&](
@@ -110,6 +109,18 @@ TEST(PhotometricVariants, WithoutAnEditionTheNumberIsAFactorAsFarAsItCanBeOne)
     expect("1.1 20", "-1", 1.0, "was not used, as absolute photometry needs no factor");
     expect("0 20", "5000", 1.0, "is 0, which can't be");
     expect("-1 20", "-1", 1.0, "is -1, which can't be");
+  }
+}
+
+TEST(PhotometricVariants, AnLm63LineWithoutItsYearIsOneSince1995)
+{
+  for (const char* header :
+    { "IESNA:LM-63", "LM-63-2x02", "IESNA:LM-63-", "IESNA:LM-63-19", "IES LM-63-1902" })
+  {
+    const bool isNamed = header[0] == 'I';
+    ExpectFlux(ReadIesText, Joined(Ies({ header }, "1.1 20", "5000")), isNamed ? 1.0 : 1.1,
+      isNamed ? "gives no year of an edition; it was not used" : "no line tells the edition",
+      header);
   }
 }
 
@@ -241,6 +252,7 @@ TEST(PhotometricVariants, EulumdatLampSetsInEitherOrder)
     "line after line was chosen");
   // The other sets are alternatives, whatever they hold.
   expect({ "1", "LED", "2000", "830", "80", "20", "1", "LED", "", "", "", "" }, 2000, "");
+  expect({ "1", "LED", "50000", "830", "80", "20" }, 50000, "give 50000 lm for 20 W");
   ExpectRefused(ReadEulumdatText,
     Joined(Eulumdat({ "1", "A", "many", "1", "1", "1", "1", "B", "5000", "1", "1", "1" })),
     "line 29: flux of the lamps is 'many'; it must be a number");

@@ -208,6 +208,11 @@ EulumdatLamps ReadEulumdatLamps(TextReader& reader)
     }
   }
   lamps.isPlausible = IsEfficacy(lamps.flux, lamps.watts);
+  if (lamps.watts > 0.0 && !lamps.isPlausible)
+  {
+    reader.Note("the lamps of the first set give " + NumberText(lamps.flux) + " lm for " +
+      NumberText(lamps.watts) + " W, which lamps hardly do; the flux was used as it is");
+  }
   return lamps;
 }
 

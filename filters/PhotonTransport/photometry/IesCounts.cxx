@@ -57,6 +57,13 @@ double ReadThirdFactor(TextReader& reader, IesEdition edition, bool isAbsolute)
   {
     return value;
   }
+  if (edition == IesEdition::WithoutYear)
+  {
+    reader.Note(text +
+      " and the line that names LM-63 gives no year of an edition; it was not "
+      "used, as files name LM-63 since 1995, when it was no factor any more");
+    return 1.0;
+  }
   reader.Note(text + " and no line tells the edition of LM-63; " +
     (isAbsolute ? "it was not used, as absolute photometry needs no factor"
                 : "it was used as the ballast-lamp photometric factor of 1986; write "

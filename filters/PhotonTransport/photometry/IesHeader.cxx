@@ -71,13 +71,14 @@ std::optional<IesEdition> EditionOf(const std::string& line)
   const bool isCut = isIesna && text.substr(0, end) == "19";
   const int year = isCut ? 0 : Year(text.substr(0, end));
   // Names of luminaires begin with such letters too.
-  if (!(isIes && isLm63) && !IsYearOfAnEdition(year))
+  const bool isEdition = IsYearOfAnEdition(year);
+  if (!(isIes && isLm63) && !isEdition)
   {
     return std::nullopt;
   }
-  if (year == 0)
+  if (year == 0 || (end == 2 && !isEdition))
   {
-    return IesEdition::Unknown;
+    return IesEdition::WithoutYear;
   }
   return year < 1995 ? IesEdition::FactorAfterwards : IesEdition::Since1995;
 }

@@ -12,6 +12,7 @@ namespace PhotonTransport
 enum class IesEdition
 {
   Unknown,          ///< No line says it, as in files of 1986.
+  WithoutYear,      ///< LM-63 without a year that an edition may have.
   FactorAfterwards, ///< 1986 and 1991: the ballast-lamp photometric factor.
   Since1995         ///< Reserved in 1995 and 2002, in 2019 how the file came about; never a factor.
 };
