@@ -130,7 +130,7 @@ void TestLuminaires(Checks& check)
   lamp->SetType(vtkLuminaireSource::PHOTOMETRIC_FILE);
   lamp->SetFileName(ILLUMINATION_TEST_DATA "/photometry/tilt_included.ies");
   check(FieldText(ball.Output(), "Notes")
-          .find("photometric file of luminaire 2, line 10: the number "
+          .find("photometric file of luminaire 'Lamp 2', line 10: the number "
                 "after the ballast factor is 0.8") != std::string::npos,
     "what was assumed of a photometric file");
   ball.filter->RemoveAllLuminaires();

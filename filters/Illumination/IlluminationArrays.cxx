@@ -296,15 +296,13 @@ std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTranspor
 std::vector<std::string> NotesOn(const PhotonTransport::Lighting& lighting)
 {
   std::vector<std::string> notes;
-  for (std::size_t i = 0; i < lighting.luminaires.size(); ++i)
+  for (const PhotonTransport::Luminaire& luminaire : lighting.luminaires)
   {
-    const PhotonTransport::Luminaire& luminaire = lighting.luminaires[i];
     if (const auto* lamp = std::get_if<PhotonTransport::PhotometricLamp>(&luminaire.lamp))
     {
-      const std::string name = luminaire.name.empty() ? std::to_string(i + 1) : luminaire.name;
       std::transform(lamp->solid.notes.begin(), lamp->solid.notes.end(), std::back_inserter(notes),
         [&](const std::string& note)
-        { return "photometric file of luminaire " + name + ", " + note; });
+        { return "photometric file of luminaire '" + luminaire.name + "', " + note; });
     }
   }
   return notes;
