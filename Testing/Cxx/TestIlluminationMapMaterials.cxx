@@ -127,7 +127,15 @@ void TestLuminaires(Checks& check)
   lamp->SetDimming(0.5);
   check(std::fabs(FieldValue(ball.Output(), "EmittedFlux") - (before - 500.0)) < 1e-9 * before,
     "a dimmed luminaire is traced anew");
+  lamp->SetType(vtkLuminaireSource::PHOTOMETRIC_FILE);
+  lamp->SetFileName(ILLUMINATION_TEST_DATA "/photometry/tilt_included.ies");
+  check(FieldText(ball.Output(), "Notes")
+          .find("photometric file of luminaire 'Lamp 2', line 10: the number "
+                "after the ballast factor is 0.8") != std::string::npos,
+    "what was assumed of a photometric file");
   ball.filter->RemoveAllLuminaires();
+  check(
+    FieldText(ball.Output(), "Notes").find("photometric") == std::string::npos, "of that alone");
   check(PointArray(ball.Output(), "Illuminance_Lamp"), "the own lamp again");
   check(ball.errors->Count == 0, "no errors");
 }

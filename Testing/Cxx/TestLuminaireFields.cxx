@@ -37,6 +37,7 @@ PhotometricLamp SolidOfTypeB()
   lamp.solid.length = 0.2;
   lamp.solid.height = 0.3;
   lamp.solid.description = "a floodlight";
+  lamp.solid.notes = { "line 1: assumed", "line 2: odd" };
   return lamp;
 }
 
@@ -76,6 +77,7 @@ void CheckSolid(Checks& check)
   check(solid.ratedFlux == 7.0 && solid.inputPower == 8.0, "flux and power");
   check(solid.width == 0.1 && solid.length == 0.2 && solid.height == 0.3, "opening");
   check(solid.description == given.description, "description");
+  check(solid.notes == given.notes, "notes");
 
   UniformSky sky;
   sky.wholeSphere = true;

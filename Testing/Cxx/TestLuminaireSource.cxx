@@ -200,7 +200,7 @@ std::string WriteIes()
 {
   const auto path = std::filesystem::temp_directory_path() / "TestLuminaireSource.ies";
   std::ofstream(path) << "IESNA:LM-63-2002\nTILT=NONE\n1 1000 1 3 1 1 2 0 0 0\n1 1 50\n"
-                      << "0 45 90\n0\n100 80 20\n";
+                      << "0 45 90\n0\n100 80 20\nEND\n";
   return path.string();
 }
 
@@ -216,6 +216,10 @@ void CheckPhotometric(Checks& check)
   check(lamp.solid.type == PhotometricSolid::Type::C, "its type");
   check(lamp.solid.polar == std::vector<double>{ 0.0, 45.0, 90.0 }, "its polar angles");
   check(lamp.solid.ratedFlux == 1000.0 && lamp.solid.inputPower == 50.0, "its lamps");
+  const std::string note =
+    "line 8: 'END' and what follows after the last candela value was not read";
+  check(lamp.solid.notes == std::vector<std::string>{ note }, "what its reader assumed");
+  check(FieldText(source->GetOutput(), "PhotometricNotes") == note + "\n", "as field data");
   const std::vector<double> row{ 100.0, 80.0, 20.0 };
   for (std::size_t i = 0; i < lamp.solid.candela.size(); ++i)
   {

@@ -127,6 +127,12 @@ void CheckFields(Checks& check)
   check(
     FieldText(lambertian, "Description") == "Example, Lambertian panel, COS-1\n", "description");
   check(FieldText(lambertian, "PhotometricType") == "C\n", "type C");
+  check(
+    lambertian->GetFieldData()->GetAbstractArray("Notes") && FieldText(lambertian, "Notes").empty(),
+    "no notes on a file by the standard");
+  check(FieldText(Read("tilt_file.ies"), "Notes").find("no line tells the edition of LM-63") !=
+      std::string::npos,
+    "a note on a file that is not clear");
   check(FieldText(Read("asymmetric_b.ies"), "PhotometricType") == "B\n", "type B");
   check(FieldText(Read("asymmetric_a.ies"), "PhotometricType") == "A\n", "type A");
 }

@@ -24,6 +24,10 @@ public:
   {
     AddArray(this->Fields, name, std::vector<std::string>{ text });
   }
+  void operator()(const char* name, const std::vector<std::string>& texts) const
+  {
+    AddArray(this->Fields, name, texts);
+  }
   void operator()(const char* name, const std::vector<double>& numbers) const
   {
     AddArray(this->Fields, name, numbers);
@@ -64,6 +68,16 @@ public:
       RefuseField(name, "is not one text");
     }
     text = array->GetValue(0);
+  }
+  /// Any number of them; none where the array is missing.
+  void operator()(const char* name, std::vector<std::string>& texts) const
+  {
+    auto* array = vtkStringArray::SafeDownCast(this->Fields->GetAbstractArray(name));
+    texts.clear();
+    for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
+    {
+      texts.push_back(array->GetValue(i));
+    }
   }
   void operator()(const char* name, std::vector<double>& numbers) const
   {

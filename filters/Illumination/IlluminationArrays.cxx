@@ -298,3 +298,18 @@ std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTranspor
   count(blocks.BlocksNotPolygonal(), "blocks are not polygonal and were passed through unlit");
   return notes;
 }
+
+std::vector<std::string> NotesOn(const PhotonTransport::Lighting& lighting)
+{
+  std::vector<std::string> notes;
+  for (const PhotonTransport::Luminaire& luminaire : lighting.luminaires)
+  {
+    if (const auto* lamp = std::get_if<PhotonTransport::PhotometricLamp>(&luminaire.lamp))
+    {
+      std::transform(lamp->solid.notes.begin(), lamp->solid.notes.end(), std::back_inserter(notes),
+        [&](const std::string& note)
+        { return "photometric file of luminaire '" + luminaire.name + "', " + note; });
+    }
+  }
+  return notes;
+}

@@ -37,4 +37,7 @@ void FillAccuracyTable(vtkTable* table, const std::vector<PhotonTransport::Accur
 /// What was found in the input and mended, in words; empty if nothing was.
 std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTransport::Scene& scene);
 
+/// What the readers of photometric files assumed.
+std::vector<std::string> NotesOn(const PhotonTransport::Lighting& lighting);
+
 #endif

@@ -197,6 +197,7 @@ void Pass(const Fields& fields, PhotometricSolid& solid)
   solid.length = opening.y;
   solid.height = opening.z;
   fields("PhotometricDescription", solid.description);
+  fields("PhotometricNotes", solid.notes);
 }
 
 template <typename Fields>

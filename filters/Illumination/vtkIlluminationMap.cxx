@@ -272,6 +272,8 @@ void vtkIlluminationMap::Trace(
       { blocks, lighting, run, this->RegisterBackSide, this->MetresPerUnit }, reason);
     std::vector<std::string> notes = NotesOn(blocks, this->Kept->Scene);
     notes.insert(notes.end(), missing.notes.begin(), missing.notes.end());
+    const std::vector<std::string> onFiles = NotesOn(lighting);
+    notes.insert(notes.end(), onFiles.begin(), onFiles.end());
     AddFieldData(output->GetFieldData(), run, reason, notes);
     AddMemoryNeeded(output->GetFieldData(), need);
     FillAccuracyTable(accuracy, run.Rounds());

@@ -32,8 +32,8 @@
  * that let light through not counted, or left the scene before), FluxCutByWeightBound (lm),
  * FluxSwitchedOff (lm), Seconds, PhotonsPerSecond, SegmentsPerSecond, MemoryNeeded (bytes, at
  * most), StoppedBy, Effects (which are on or off, and why), Notes (what was found and mended in the
- * input, and what light is missing), IlluminationMapsVersion. A vtkWarning says what to do where
- * most light fell on backs or met nothing.
+ * input, what light is missing, what was assumed of photometric files), IlluminationMapsVersion. A
+ * vtkWarning says what to do where most light fell on backs or met nothing.
  *
  * Give watts for lumens and the result is irradiance in W/m^2.
  *

@@ -11,7 +11,8 @@
  * (degrees), and the photometric solid: PhotometricType (C, B or A), PhotometricPolar and
  * PhotometricAzimuth (degrees), PhotometricCandela (cd, polar angles of the first azimuth first),
  * PhotometricScale (a factor on them), PhotometricRatedFlux (lm), PhotometricInputPower (W),
- * PhotometricOpening (width, length, height, m), PhotometricDescription.
+ * PhotometricOpening (width, length, height, m), PhotometricDescription, PhotometricNotes (what the
+ * reader of the file assumed).
  *
  * The lamp's place, axes and size travel with the output's points. The point array LuminairePoint
  * (where each point was made, and a number that tells the lamp from others) and the field array

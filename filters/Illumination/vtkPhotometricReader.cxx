@@ -45,6 +45,7 @@ void AddFields(const PhotometricSolid& solid, vtkFieldData* fields)
   const char* type = solid.type == Type::C ? "C" : solid.type == Type::B ? "B" : "A";
   AddArray(fields, "PhotometricType", std::vector<std::string>{ type });
   AddArray(fields, "Description", std::vector<std::string>{ solid.description });
+  AddArray(fields, "Notes", solid.notes);
 }
 
 } // namespace

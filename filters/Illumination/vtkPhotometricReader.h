@@ -21,6 +21,12 @@
  *  - Efficacy (lm/W): LuminaireFlux / InputPower, where the power is known.
  *  - Description: manufacturer, name and number as far as given.
  *  - PhotometricType: C, B or A.
+ *  - Notes: what was assumed where the file leaves its standard, and what is odd in it; one text
+ *    each, none for most files.
+ *
+ * The reader is strict where light depends on it (counts, angles, intensities, units, factors) and
+ * lenient elsewhere: text of any encoding and with any line ends, text after the last intensity,
+ * decimal commas, spellings of the format line, lamp sets of EULUMDAT in either order.
  *
  * The output is a luminaire too, for the second input of vtkIlluminationMap: at the origin, aiming
  * along -z, with the file's flux and the file's name without its extension. Its further field

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A. W. Stockmar, "EULUMDAT - ein Leuchtendatenformat fuer den europaeischen Beleuchtungsplaner",
 // Licht '90, pp. 641-644; numbers in comments are lines of that format.
+#include "PhotonTransport/photometry/EulumdatGrid.h"
+#include "PhotonTransport/photometry/EulumdatLamps.h"
 #include "PhotonTransport/photometry/PhotometricFile.h"
-#include "PhotonTransport/photometry/SolidSymmetry.h"
-#include "PhotonTransport/photometry/TextReader.h"
+#include "PhotonTransport/photometry/PhotometricNumbers.h"
+#include "PhotonTransport/photometry/Readings.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace PhotonTransport
 {
@@ -14,21 +17,7 @@ namespace PhotonTransport
 namespace
 {
 
-/// What lines 2 to 7 say of the intensities to come.
-struct Grid
-{
-  std::size_t symmetry = 0;
-  std::size_t planes = 0; ///< Of the full circle.
-  std::size_t angles = 0;
-
-  std::size_t FirstGiven() const { return this->symmetry == 3 ? 3 * this->planes / 4 : 0; }
-  std::size_t Given() const
-  {
-    const std::size_t given[] = { this->planes, 1, this->planes / 2 + 1, this->planes / 2 + 1,
-      this->planes / 4 + 1 };
-    return given[this->symmetry];
-  }
-};
+constexpr std::size_t DirectRatios = 10; ///< Lines between the lamps and the C-angles.
 
 void Skip(TextReader& reader, std::size_t lines, const char* name)
 {
@@ -38,34 +27,10 @@ void Skip(TextReader& reader, std::size_t lines, const char* name)
   }
 }
 
-Grid ReadGrid(TextReader& reader)
-{
-  Grid grid;
-  Skip(reader, 1, "type indicator"); // 2
-  grid.symmetry = reader.CountLine("symmetry indicator", 0, 4);
-  grid.planes = reader.CountLine("number of C-planes", 1, MostAngles);
-  const std::size_t divisor = grid.symmetry < 2 ? 1 : grid.symmetry == 2 ? 2 : 4;
-  if (grid.planes % divisor != 0)
-  {
-    reader.Refuse("number of C-planes",
-      "symmetry " + std::to_string(grid.symmetry) + " needs a multiple of " +
-        std::to_string(divisor));
-  }
-  Skip(reader, 1, "distance of C-planes"); // 5: the angles are listed all the same
-  grid.angles = reader.CountLine("number of angles in each C-plane", 2, MostAngles);
-  if (grid.angles * grid.planes > MostIntensities)
-  {
-    reader.Fail("there are " + std::to_string(grid.planes) + " x " + std::to_string(grid.angles) +
-      " angles; there must be at most " + std::to_string(MostIntensities));
-  }
-  Skip(reader, 1, "distance of angles"); // 7
-  return grid;
-}
-
 double ReadSize(TextReader& reader, const char* name)
 {
   constexpr double metres = 1e-3;
-  return metres * std::abs(reader.NumberLineOr0(name, -LargestNumber, LargestNumber));
+  return metres * std::abs(reader.LenientNumberLine(name, -LargestNumber, LargestNumber));
 }
 
 void ReadOpening(TextReader& reader, PhotometricSolid& solid)
@@ -80,174 +45,166 @@ void ReadOpening(TextReader& reader, PhotometricSolid& solid)
   }
 }
 
-bool IsNumber(const std::string& line)
+/// The lines before the C-angles.
+struct Head
 {
-  return !line.empty() && line.find_first_not_of("+-0123456789") == std::string::npos;
-}
+  EulumdatGrid grid;
+  double outputRatio = 0.0; ///< %, of the luminaire's to the lamps' flux.
+  double factor = 1.0;      ///< cd for each unit of the file's intensities.
+  bool isPlausible = false; ///< The lamps are where they should be.
+};
 
-double PositiveNumber(TextReader& reader, const char* name)
+/// To the end of the sets of lamps.
+Head ReadHead(TextReader& reader, PhotometricSolid& solid)
 {
-  const double value = reader.NumberLine(name, 0.0, LargestNumber);
-  if (value == 0.0)
-  {
-    reader.Refuse(name, "it must be above 0");
-  }
-  return value;
-}
-
-/// cd for each cd/klm.
-double ReadLamps(TextReader& reader, PhotometricSolid& solid)
-{
-  Skip(reader, 2, "ratio of fluxes"); // 22, 23
-  const double conversion = PositiveNumber(reader, "conversion factor for intensities");
+  Head head;
+  AddToList(solid.description, reader.TextLine("company"));
+  Skip(reader, 1, "type indicator"); // 2
+  head.grid = ReadEulumdatGrid(reader);
+  Skip(reader, 1, "measurement report number");
+  AddToList(solid.description, reader.TextLine("luminaire name"));
+  AddToList(solid.description, reader.TextLine("luminaire number"));
+  Skip(reader, 2, "file name and date");
+  ReadOpening(reader, solid);
+  Skip(reader, 1, "downward flux fraction"); // 22
+  head.outputRatio = reader.LenientNumberLine("light output ratio", 0.0, LargestNumber);
+  constexpr const char* conversion = "conversion factor for intensities";
+  head.factor = reader.Positive(conversion, reader.NumberLine(conversion, 0.0, LargestNumber));
   Skip(reader, 1, "tilt during measurement"); // 25
-  const std::size_t sets = reader.CountLine("number of sets of lamps", 1, MostAngles);
-  // 26a to 26f: the format lists each of the six for all sets before the next one, but many
-  // programs write set after set. A second number of lamps, not the first set's type, tells which
-  // it is.
-  double lamps = 0.0;
-  double flux = 0.0;
-  std::size_t step = 1;
-  for (std::size_t i = 0; i < 6 * sets; ++i)
-  {
-    if (i == 0)
-    {
-      lamps = reader.NumberLine("number of lamps", -LargestNumber, LargestNumber);
-    }
-    else if (i == 1)
-    {
-      step = IsNumber(reader.TextLine("type of lamps")) ? sets : 1;
-    }
-    else if (i == 2 * step)
-    {
-      flux = PositiveNumber(reader, "flux of the lamps");
-    }
-    else if (i == 5 * step)
-    {
-      solid.inputPower = reader.NumberLineOr0("wattage", 0.0, LargestNumber);
-    }
-    else
-    {
-      Skip(reader, 1, "set of lamps");
-    }
-  }
-  // A number below 0 marks absolute photometry; the flux is the luminaire's then.
-  solid.ratedFlux = lamps < 0.0 ? 0.0 : flux;
-  return conversion * flux / 1000.0;
+  const EulumdatLamps lamps = ReadEulumdatLamps(reader);
+  head.isPlausible = lamps.isPlausible;
+  solid.inputPower = lamps.watts;
+  solid.ratedFlux = lamps.isAbsolute ? 0.0 : lamps.flux;
+  head.factor *= lamps.flux / 1000.0; // cd/klm
+  return head;
 }
 
-std::vector<double> ReadAngles(
-  TextReader& reader, const char* name, std::size_t count, double largest)
+/// @param reader After the lamps. @param ratios Lines to skip.
+PhotometricSolid ReadRest(TextReader reader, PhotometricSolid solid, const Head& head,
+  EulumdatPlanes planes, std::size_t ratios)
 {
-  std::vector<double> angles;
-  for (std::size_t i = 1; i <= count; ++i)
+  Skip(reader, ratios, "direct ratio"); // 27
+  if (ratios != DirectRatios)
   {
-    angles.push_back(reader.NumberLine({ name, i }, 0.0, largest));
-    if (i > 1 && !(angles[i - 1] > angles[i - 2]))
-    {
-      reader.Refuse({ name, i }, "angles must rise");
-    }
+    reader.Note(std::to_string(ratios) +
+      " lines come between the lamps and the C-angles instead "
+      "of " +
+      std::to_string(DirectRatios) + "; the light does not depend on them");
   }
-  return angles;
+  ReadEulumdatSolid(reader, head.grid, planes, head.factor, solid);
+  if (ratios != DirectRatios && solid.polar.front() != 0.0 && solid.polar.front() != 90.0)
+  {
+    reader.Fail("the first gamma angle is " + NumberText(solid.polar.front()) + ", not 0 or 90");
+  }
+  solid.notes.insert(solid.notes.begin(), reader.Notes().begin(), reader.Notes().end());
+  NoteOnOutputRatio(solid, head.outputRatio);
+  return solid;
 }
 
-/// Planes must be where the symmetry has its mirrors.
-void RequireMirrors(const TextReader& reader, const Grid& grid, const std::vector<double>& all)
+/// Numbers from the line on that comes after the direct ratios; 0 where the file ends before.
+std::size_t NumbersAfter(TextReader reader, std::size_t ratios)
 {
-  const auto require = [&](std::size_t plane, double angle)
+  std::string line;
+  for (std::size_t i = 0; i < ratios; ++i)
   {
-    if (all[plane] != angle)
+    if (!reader.NextLine(line))
     {
-      reader.Fail("C-angle " + std::to_string(plane + 1) + " of " + std::to_string(grid.planes) +
-        " is not " + std::to_string(static_cast<int>(angle)) + ", as symmetry " +
-        std::to_string(grid.symmetry) + " wants");
+      return 0;
     }
+  }
+  return reader.NumbersAhead();
+}
+
+/// @param text Outlives the call. @param fewerRatios Also with fewer direct ratios, which is
+/// believed only where the lines of the lamps make sense: others may be missing instead.
+PhotometricSolid Read(const PhotometricText& text, bool fewerRatios)
+{
+  TextReader reader(text, Commas::AreDecimal);
+  PhotometricSolid solid;
+  const Head head = ReadHead(reader, solid);
+  std::vector<Attempt> attempts;
+  const auto attempt = [&](EulumdatPlanes planes, std::size_t ratios)
+  {
+    attempts.push_back([&reader, &solid, &head, planes, ratios]
+      { return ReadRest(reader, solid, head, planes, ratios); });
   };
-  if (grid.symmetry != 1)
+  attempt(EulumdatPlanes::Standard, DirectRatios);
+  const std::size_t least = fewerRatios && head.isPlausible ? 0 : DirectRatios;
+  for (std::size_t ratios = DirectRatios + 1; ratios-- > least;)
   {
-    require(0, 0.0);
-  }
-  if (grid.symmetry == 2)
-  {
-    require(grid.planes / 2, 180.0);
-  }
-  if (grid.symmetry >= 3)
-  {
-    require(grid.planes / 4, 90.0);
-  }
-  if (grid.symmetry == 3)
-  {
-    require(grid.FirstGiven(), 270.0);
-  }
-}
-
-/// Angles of the planes that are given; those of symmetry 3 run from 270 degrees through 0 to 90.
-std::vector<double> ReadPlanes(TextReader& reader, const Grid& grid)
-{
-  constexpr const char* name = "C-angle";
-  const std::vector<double> all = ReadAngles(reader, name, grid.planes, 360.0);
-  RequireMirrors(reader, grid, all);
-  if (grid.symmetry == 0 && grid.planes > 1 && !GapIsOneStep(all))
-  {
-    reader.Refuse({ name, grid.planes }, "the last must be one step before 360");
-  }
-  std::vector<double> given;
-  for (std::size_t i = grid.FirstGiven(); i < grid.FirstGiven() + grid.Given(); ++i)
-  {
-    const bool turned = i >= grid.planes;
-    given.push_back(turned ? all[i - grid.planes] : all[i] - (grid.symmetry == 3 ? 360.0 : 0.0));
-  }
-  return given;
-}
-
-void ReadIntensities(TextReader& reader, const Grid& grid, double factor, PhotometricSolid& solid)
-{
-  double largest = 0.0;
-  for (std::size_t i = 1; i <= grid.Given() * grid.angles; ++i)
-  {
-    const NumberName name{ "intensity", i };
-    solid.candela.push_back(factor * reader.NumberLine(name, 0.0, LargestNumber));
-    if (solid.candela.back() > LargestNumber)
+    const std::size_t numbers = NumbersAfter(reader, ratios);
+    for (const EulumdatPlanes planes : AllEulumdatPlanes)
     {
-      reader.Refuse(name, "times the flux and the conversion factor it is too large");
+      if (numbers > 0 && numbers == NumbersOf(head.grid, planes))
+      {
+        attempt(planes, ratios);
+      }
     }
-    largest = std::max(largest, solid.candela.back());
   }
-  reader.RequireEnd("intensity");
-  if (largest == 0.0)
+  return FirstThatReads(attempts);
+}
+
+template <typename Predicate>
+PhotometricText Without(const PhotometricText& text, const char* what, Predicate isLeftOut)
+{
+  PhotometricText rest;
+  rest.notes = text.notes;
+  rest.notes.push_back(std::string(what) + " were left out");
+  std::copy_if(text.lines.begin(), text.lines.end(), std::back_inserter(rest.lines),
+    [&](const TextLine& line) { return !isLeftOut(line); });
+  return rest;
+}
+
+bool IsBlank(const TextLine& line)
+{
+  return Trimmed(line.text).empty();
+}
+
+/// Without the blank lines that follow every line where a program has doubled line ends.
+PhotometricText WithoutDoubledLines(const PhotometricText& text)
+{
+  const auto& lines = text.lines;
+  const auto isAdded = [](const TextLine& line) { return line.number % 2 == 0; };
+  const bool isDoubled = lines.size() > 1 &&
+    std::all_of(lines.begin(), lines.end(),
+      [&](const TextLine& line) { return !isAdded(line) || IsBlank(line); });
+  return isDoubled ? Without(text, "blank lines after every line", isAdded) : text;
+}
+
+/// The text, and without blank lines that a program may have added. A blank line may also be a
+/// field that is not filled in: which it is shows in what the file makes then.
+std::vector<PhotometricText> Texts(const PhotometricText& text)
+{
+  std::vector<PhotometricText> texts{ text };
+  const auto first = std::find_if_not(text.lines.begin(), text.lines.end(), IsBlank);
+  if (first != text.lines.begin() && first != text.lines.end())
   {
-    reader.Fail("all intensities are 0");
+    texts.push_back(Without(text, "blank lines before the first text",
+      [&](const TextLine& line) { return line.number < first->number; }));
   }
+  if (std::any_of(first, text.lines.end(), IsBlank))
+  {
+    texts.push_back(Without(text, "blank lines", IsBlank));
+  }
+  return texts;
 }
 
 } // namespace
 
 PhotometricSolid ReadEulumdat(std::istream& file)
 {
-  TextReader reader(file);
-  PhotometricSolid solid;
-  AddToList(solid.description, reader.TextLine("company"));
-  const Grid grid = ReadGrid(reader);
-  Skip(reader, 1, "measurement report number");
-  AddToList(solid.description, reader.TextLine("luminaire name"));
-  AddToList(solid.description, reader.TextLine("luminaire number"));
-  Skip(reader, 2, "file name and date");
-  ReadOpening(reader, solid);
-  const double factor = ReadLamps(reader, solid);
-  Skip(reader, 10, "direct ratio"); // 27
-  solid.azimuth = ReadPlanes(reader, grid);
-  solid.polar = ReadAngles(reader, "gamma angle", grid.angles, 180.0);
-  ReadIntensities(reader, grid, factor, solid);
-  if (grid.symmetry >= 2)
+  // The format's reading comes first; another one counts only where that one fails and where all
+  // numbers that the file announces are there, and no more.
+  const std::vector<PhotometricText> texts = Texts(WithoutDoubledLines(ReadText(file)));
+  std::vector<Attempt> attempts;
+  for (const bool fewerRatios : { false, true })
   {
-    MirrorAtLastAzimuth(solid);
+    for (const PhotometricText& text : texts)
+    {
+      attempts.push_back([&text, fewerRatios] { return Read(text, fewerRatios); });
+    }
   }
-  if (grid.symmetry == 4)
-  {
-    MirrorAtLastAzimuth(solid);
-  }
-  CloseCircle(solid);
-  return solid;
+  return FirstThatReads(attempts);
 }
 
 } // namespace PhotonTransport

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/photometry/IesHeader.h"
 
-#include "PhotonTransport/photometry/PhotometricFile.h"
-
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
+#include <iterator>
+#include <optional>
 
 namespace PhotonTransport
 {
@@ -13,89 +11,115 @@ namespace PhotonTransport
 namespace
 {
 
-std::string UpperCase(std::string_view text)
+bool TakeBeginning(std::string_view& text, std::string_view beginning)
 {
-  std::string upper(text);
-  std::transform(upper.begin(), upper.end(), upper.begin(),
-    [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-  return upper;
+  const bool found = text.substr(0, beginning.size()) == beginning;
+  text.remove_prefix(found ? beginning.size() : 0);
+  return found;
 }
 
-bool BeginsWith(const std::string& text, const std::string& beginning)
+/// Letters and digits, in upper case: "IESNA: LM-63-2002" is "IESNALM632002".
+std::string LettersAndDigits(const std::string& line)
 {
-  return text.compare(0, beginning.size(), beginning) == 0;
+  std::string text = UpperCase(line);
+  text.erase(std::remove_if(text.begin(), text.end(),
+               [](char c) { return !((c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9')); }),
+    text.end());
+  return text;
 }
 
-bool IsFormatLine(const std::string& line)
+/// @param digits As in 1995, 95 and 02. @return 0 if they are no year that an edition may have.
+int Year(std::string_view digits)
 {
-  const std::string upper = UpperCase(line);
-  return BeginsWith(upper, "IESNA91") || BeginsWith(upper, "IESNA86") ||
-    BeginsWith(upper, "IESNA:LM-63-") || BeginsWith(upper, "IES:LM-63-");
+  constexpr int first = 1986;
+  double number = 0.0;
+  if ((digits.size() != 2 && digits.size() != 4) || !ParseNumber(digits, number))
+  {
+    return 0;
+  }
+  const int century = digits.size() == 4 ? 0 : number >= first % 100 ? 1900 : 2000;
+  const int year = century + static_cast<int>(number);
+  return year >= first && year < first + 100 ? year : 0;
 }
 
-bool IsOldFormat(const std::string& line)
+bool IsYearOfAnEdition(int year)
 {
-  const std::string upper = UpperCase(Trimmed(line));
-  const std::string year = upper.substr(upper.size() < 2 ? 0 : upper.size() - 2);
-  return year == "86" || year == "91";
+  const int years[] = { 1986, 1991, 1995, 2002, 2019 };
+  return std::find(std::begin(years), std::end(years), year) != std::end(years);
 }
 
-/// TILT=something, with blanks anywhere. @return False for other lines.
+/// Of a line such as "IESNA:LM-63-2002", "IES LM-63-2019" or "IESNA91", whatever stands between
+/// letters and digits; nothing for other lines.
+std::optional<IesEdition> EditionOf(const std::string& line)
+{
+  if (line.empty() || line[0] == '[')
+  {
+    return std::nullopt;
+  }
+  const std::string normalised = LettersAndDigits(line);
+  std::string_view text = normalised;
+  TakeBeginning(text, "ANSI");
+  const bool isIesna = TakeBeginning(text, "IESNA");
+  const bool isIes = isIesna || TakeBeginning(text, "IES");
+  const bool isLm63 = TakeBeginning(text, "LM63");
+  if (!isIes && !isLm63)
+  {
+    return std::nullopt;
+  }
+  const std::size_t end = std::min(text.find_first_not_of("0123456789"), text.size());
+  // 2019 is the IES's edition; after IESNA, 19 is the beginning of another year.
+  const bool isCut = isIesna && text.substr(0, end) == "19";
+  const int year = isCut ? 0 : Year(text.substr(0, end));
+  // Names of luminaires begin with such letters too.
+  const bool isEdition = IsYearOfAnEdition(year);
+  if (!(isIes && isLm63) && !isEdition)
+  {
+    return std::nullopt;
+  }
+  if (year == 0 || (end == 2 && !isEdition))
+  {
+    return IesEdition::WithoutYear;
+  }
+  return year < 1995 ? IesEdition::FactorAfterwards : IesEdition::Since1995;
+}
+
+/// TILT=something, with blanks anywhere; TILT: NONE and TILT NONE too. @return False for others.
 bool ReadTiltLine(const std::string& line, std::string& tilt)
 {
-  const std::string_view text = Trimmed(line);
-  const std::size_t equals = text.find('=');
-  if (equals == std::string_view::npos || UpperCase(Trimmed(text.substr(0, equals))) != "TILT")
+  constexpr std::string_view word = "TILT";
+  std::string_view text = line;
+  if (UpperCase(text.substr(0, word.size())) != word)
   {
     return false;
   }
-  tilt = Trimmed(text.substr(equals + 1));
-  return true;
+  text = Trimmed(text.substr(word.size()));
+  const bool hasEquals = !text.empty() && text[0] == '=';
+  text = Trimmed(text.substr(hasEquals || (!text.empty() && text[0] == ':') ? 1 : 0));
+  // NONE and INCLUDE may be followed by a comment; a name may have blanks in it.
+  const std::string first = UpperCase(text.substr(0, std::min(text.find(' '), text.size())));
+  const bool isKnown = first == "NONE" || first == "INCLUDE";
+  tilt = isKnown ? first : std::string(text);
+  return hasEquals || isKnown;
 }
 
 /// [KEYWORD] text.
 void ReadKeywordLine(
-  const std::string& line, std::string& maker, std::string& name, std::string& number)
+  std::string_view line, std::string& maker, std::string& name, std::string& number)
 {
-  const std::string_view text = Trimmed(line);
-  const std::size_t end = text.find(']');
-  if (text.empty() || text[0] != '[' || end == std::string_view::npos)
+  const std::size_t end = line.find(']');
+  if (line.empty() || line[0] != '[' || end == std::string_view::npos)
   {
     return;
   }
-  const std::string keyword = UpperCase(Trimmed(text.substr(1, end - 1)));
+  const std::string keyword = UpperCase(Trimmed(line.substr(1, end - 1)));
   std::string* value = keyword == "MANUFAC" ? &maker
     : keyword == "LUMINAIRE"                ? &name
     : keyword == "LUMCAT"                   ? &number
                                             : nullptr;
   if (value)
   {
-    *value = text.substr(end + 1);
+    *value = line.substr(end + 1);
   }
-}
-
-/// The factor of a luminaire that is not tilted.
-double ReadTiltFactors(TextReader& reader)
-{
-  reader.NextCount("lamp-to-luminaire geometry", 1, 3);
-  const std::size_t count = reader.NextCount("number of tilt angles", 1, MostAngles);
-  const std::vector<double> angles = ReadIesAngles(reader, "tilt angle", count, 0.0, 180.0);
-  if (angles.front() != 0.0)
-  {
-    reader.Fail("the first tilt angle is not 0");
-  }
-  double first = 0.0;
-  for (std::size_t i = 1; i <= count; ++i)
-  {
-    const NumberName name{ "tilt factor", i };
-    const double factor = reader.NextNumber(name, 0.0, LargestNumber);
-    first = i == 1 ? factor : first;
-    if (first == 0.0)
-    {
-      reader.Refuse(name, "it must be above 0");
-    }
-  }
-  return first;
 }
 
 } // namespace
@@ -105,85 +129,32 @@ IesHeader ReadIesHeader(TextReader& reader)
   IesHeader header;
   std::string labels; // the lines of 1986, which has no keywords
   std::string maker, name, number;
-  bool has1986 = true;
+  bool hasFormatLine = false;
   for (std::string line; reader.NextLine(line);)
   {
-    if (reader.LineNumber() == 1 && IsFormatLine(line))
+    if (ReadTiltLine(line, header.tilt))
     {
-      has1986 = false;
-      header.isOld = IsOldFormat(line);
-    }
-    else if (ReadTiltLine(line, header.tilt))
-    {
-      AddToList(header.description, maker);
-      AddToList(header.description, name);
-      AddToList(header.description, number);
-      if (header.description.empty() && has1986)
+      for (const std::string& part : { maker, name, number })
+      {
+        AddToList(header.description, part);
+      }
+      if (header.description.empty() && !hasFormatLine)
       {
         header.description = labels;
       }
       return header;
     }
-    else
+    const std::optional<IesEdition> edition = hasFormatLine ? std::nullopt : EditionOf(line);
+    if (edition)
     {
-      ReadKeywordLine(line, maker, name, number);
-      AddToList(labels, line);
+      hasFormatLine = true;
+      header.edition = *edition;
+      continue;
     }
+    ReadKeywordLine(line, maker, name, number);
+    AddToList(labels, line);
   }
   reader.Fail("the file ends without a line TILT=; it is no IES file");
-}
-
-void RequireRising(
-  const TextReader& reader, const NumberName& name, const std::vector<double>& angles)
-{
-  if (angles.size() > 1 && !(angles.back() > angles[angles.size() - 2]))
-  {
-    reader.Refuse(name, "angles must rise");
-  }
-}
-
-std::vector<double> ReadIesAngles(
-  TextReader& reader, const char* name, std::size_t count, double smallest, double largest)
-{
-  std::vector<double> angles;
-  for (std::size_t i = 1; i <= count; ++i)
-  {
-    angles.push_back(reader.NextNumber({ name, i }, smallest, largest));
-    RequireRising(reader, { name, i }, angles);
-  }
-  return angles;
-}
-
-double ReadIesTilt(TextReader& reader, const std::string& tilt, const std::string& folder)
-{
-  const std::string kind = UpperCase(tilt);
-  if (kind == "NONE")
-  {
-    return 1.0;
-  }
-  if (kind == "INCLUDE")
-  {
-    return ReadTiltFactors(reader);
-  }
-  // The name alone counts: folders are those of the maker's computer.
-  const std::string name = tilt.substr(tilt.find_last_of("/\\") + 1);
-  std::ifstream file(std::filesystem::path(folder) / name, std::ios::binary);
-  if (name.empty() || !file)
-  {
-    reader.Fail(
-      "TILT is '" + OneLine(tilt) + "'; it must be NONE, INCLUDE or a file in '" + folder + "'");
-  }
-  try
-  {
-    TextReader tiltReader(file);
-    const double factor = ReadTiltFactors(tiltReader);
-    tiltReader.RequireEnd("tilt factor");
-    return factor;
-  }
-  catch (const PhotometricFileError& error)
-  {
-    reader.Fail("in the TILT file '" + OneLine(name) + "', " + error.what());
-  }
 }
 
 } // namespace PhotonTransport

@@ -4,32 +4,29 @@
 #include "PhotonTransport/photometry/TextReader.h"
 
 #include <string>
-#include <vector>
 
 namespace PhotonTransport
 {
+
+/// What the lines before the numbers say of the number after the ballast factor.
+enum class IesEdition
+{
+  Unknown,          ///< No line says it, as in files of 1986.
+  WithoutYear,      ///< LM-63 without a year that an edition may have.
+  FactorAfterwards, ///< 1986 and 1991: the ballast-lamp photometric factor.
+  Since1995         ///< Reserved in 1995 and 2002, in 2019 how the file came about; never a factor.
+};
 
 /// The lines of an IES file before its numbers.
 struct IesHeader
 {
   std::string description;
-  std::string tilt;  ///< What follows TILT=.
-  bool isOld = true; ///< Of 1986 or 1991.
+  std::string tilt; ///< What follows TILT=.
+  IesEdition edition = IesEdition::Unknown;
 };
 
-/// Reads up to the line TILT= and throws PhotometricFileError if there is none.
+/// Reads up to the line TILT= and throws PhotometricFileError if there is none. The line with the
+/// edition may come anywhere before, in any of the spellings in use.
 IesHeader ReadIesHeader(TextReader& reader);
-
-/// The factor of a luminaire that is not tilted. @param tilt What follows TILT=. @param folder
-/// Where its file is, if it names one.
-double ReadIesTilt(TextReader& reader, const std::string& tilt, const std::string& folder);
-
-/// Degrees, rising, as many as `count`.
-std::vector<double> ReadIesAngles(
-  TextReader& reader, const char* name, std::size_t count, double smallest, double largest);
-
-/// Refuses the last angle unless it is above the one before it.
-void RequireRising(
-  const TextReader& reader, const NumberName& name, const std::vector<double>& angles);
 
 } // namespace PhotonTransport

@@ -22,6 +22,11 @@ public:
   const std::size_t Line; ///< From 1.
 };
 
+// Both readers are strict where light depends on it (counts, rising angles, intensities, units,
+// factors) and lenient elsewhere. What a program has done differently from the standard is read by
+// the first reading for which all numbers that the file announces are there, and no more; what was
+// assumed stands in PhotometricSolid::notes. A file for which there is none is refused.
+
 /// IESNA LM-63 of 1991, 1995, 2002 and 2019 (and 1986, which has no format line): photometry types
 /// C, B and A with their symmetries, TILT (NONE, INCLUDE, or a file beside it), relative and
 /// absolute. Intensities are the file's times the candela multiplier, the ballast factor, the
@@ -32,7 +37,8 @@ public:
 PhotometricSolid ReadIes(std::istream& file, const std::string& folder = {});
 
 /// EULUMDAT (.ldt): symmetries 0 to 4, cd/klm times the flux of the lamps and the conversion
-/// factor. Sets of lamps are alternatives, the first one counts.
+/// factor. Sets of lamps are alternatives, the first one counts, in whichever of the two orders in
+/// use they are written.
 PhotometricSolid ReadEulumdat(std::istream& file);
 
 /// By the name's extension: .ies, .ldt (or .eul), in any case. Throws std::runtime_error with the
@@ -41,9 +47,5 @@ PhotometricSolid ReadPhotometricFile(const std::string& path);
 
 /// Whether a name has one of those extensions.
 bool IsPhotometricFileName(const std::string& path);
-
-/// What all readers accept: more planes or angles than this is no photometry, but a broken count.
-constexpr std::size_t MostAngles = 10000;
-constexpr std::size_t MostIntensities = 10000000;
 
 } // namespace PhotonTransport

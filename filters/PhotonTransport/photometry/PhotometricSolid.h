@@ -38,6 +38,8 @@ struct PhotometricSolid
   /// the length lies in the plane of 0 degrees in IES files, of 90 degrees in EULUMDAT.
   double width = 0.0, length = 0.0, height = 0.0;
   std::string description; ///< Manufacturer, name and number as far as given, one line, UTF-8.
+  /// What the reader of the file assumed, or found odd: one sentence each. None for most files.
+  std::vector<std::string> notes;
 };
 
 /// The flux of the bilinear solid, integrated exactly, lm.

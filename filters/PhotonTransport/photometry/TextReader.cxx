@@ -14,23 +14,14 @@ namespace PhotonTransport
 namespace
 {
 
-/// Blanks and all control characters: Ctrl-Z ends files from DOS.
-bool IsBlank(char c)
-{
-  return static_cast<unsigned char>(c) <= ' ';
-}
-
 bool IsSeparator(char c)
 {
-  return IsBlank(c) || c == ',';
+  return c == ' ' || c == ',';
 }
 
-std::string Text(double value)
+bool IsDigit(char c)
 {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << value;
-  return text.str();
+  return c >= '0' && c <= '9';
 }
 
 std::string Text(const NumberName& name)
@@ -38,45 +29,81 @@ std::string Text(const NumberName& name)
   return name.Index == 0 ? name.Name : name.Name + (" " + std::to_string(name.Index));
 }
 
-bool IsUtf8(std::string_view text)
+std::string Range(double smallest, double largest)
 {
-  for (std::size_t i = 0; i < text.size();)
+  return "within [" + NumberText(smallest) + ", " + NumberText(largest) + "]";
+}
+
+/// Commas between digits, and those that begin a line's first number, become points.
+void MakeCommasPoints(std::string& line)
+{
+  for (std::size_t i = 0; i + 1 < line.size(); ++i)
   {
-    const auto c = static_cast<unsigned char>(text[i++]);
-    if ((c >= 0x80 && c < 0xC2) || c >= 0xF5)
+    const bool isInNumber = i > 0 && (IsDigit(line[i - 1]) || line[i - 1] == '-');
+    if (line[i] == ',' && IsDigit(line[i + 1]) &&
+      (isInNumber || Trimmed(std::string_view(line).substr(0, i)).empty()))
     {
-      return false;
-    }
-    for (int following = c < 0x80 ? 0 : c < 0xE0 ? 1 : c < 0xF0 ? 2 : 3; following > 0; --following)
-    {
-      if (i >= text.size() || (static_cast<unsigned char>(text[i++]) & 0xC0) != 0x80)
-      {
-        return false;
-      }
+      line[i] = '.';
     }
   }
-  return true;
+}
+
+std::string Quoted(std::string_view text)
+{
+  constexpr std::size_t longest = 40;
+  return "'" + Shortened(text, longest) + "'";
 }
 
 } // namespace
 
+bool ParseNumber(std::string_view text, double& value)
+{
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-')
+  {
+    text.remove_prefix(1); // from_chars takes no plus
+  }
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return !text.empty() && error == std::errc() && stop == end && std::isfinite(value);
+}
+
+std::string NumberText(double value)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << value;
+  return text.str();
+}
+
+TextReader::TextReader(const PhotometricText& text, Commas commas)
+  : Source(&text)
+  , Comma(commas)
+  , AllNotes(text.notes)
+{
+}
+
+std::size_t TextReader::LineNumber() const
+{
+  return this->Fetched == 0 ? 1 : this->Source->lines[this->Fetched - 1].number;
+}
+
+void TextReader::Note(const std::string& note)
+{
+  this->AllNotes.push_back("line " + std::to_string(this->LineNumber()) + ": " + note);
+}
+
 bool TextReader::FetchLine()
 {
-  this->Token = {};
-  this->Position = 0;
+  this->Position = this->TokenBegin = this->TokenEnd = 0;
   this->Line.clear();
-  if (!std::getline(this->File, this->Line))
+  if (this->Fetched == this->Source->lines.size())
   {
-    this->Line.clear();
     return false;
   }
-  if (++this->Number == 1 && this->Line.compare(0, 3, "\xEF\xBB\xBF") == 0)
+  this->Line = this->Source->lines[this->Fetched++].text;
+  if (this->Comma == Commas::AreDecimal)
   {
-    this->Line.erase(0, 3); // a byte order mark
-  }
-  if (!this->Line.empty() && this->Line.back() == '\r')
-  {
-    this->Line.pop_back();
+    MakeCommasPoints(this->Line);
   }
   return true;
 }
@@ -84,7 +111,7 @@ bool TextReader::FetchLine()
 bool TextReader::NextLine(std::string& line)
 {
   const bool found = this->FetchLine();
-  line = this->Line;
+  line = found ? Trimmed(this->Source->lines[this->Fetched - 1].text) : std::string_view();
   this->Position = this->Line.size();
   return found;
 }
@@ -94,23 +121,20 @@ std::string TextReader::TextLine(const char* name)
   std::string line;
   if (!this->NextLine(line))
   {
-    this->Fail(std::string("the file ends where its ") + name + " should come");
+    this->FailAtEnd(name);
   }
-  return std::string(Trimmed(line));
+  return line;
 }
 
 void TextReader::ReadTokenLine(const NumberName& name)
 {
   if (!this->FetchLine())
   {
-    this->Fail("the file ends where its " + Text(name) + " should come");
+    this->FailAtEnd(name);
   }
-  const std::size_t comma = this->Line.find(',');
-  if (comma != std::string::npos)
-  {
-    this->Line[comma] = '.';
-  }
-  this->Token = Trimmed(this->Line);
+  const std::string_view token = Trimmed(this->Line);
+  this->TokenBegin = static_cast<std::size_t>(token.data() - this->Line.data());
+  this->TokenEnd = this->TokenBegin + token.size();
   this->Position = this->Line.size();
 }
 
@@ -120,10 +144,18 @@ double TextReader::NumberLine(const NumberName& name, double smallest, double la
   return this->Parse(name, smallest, largest);
 }
 
-double TextReader::NumberLineOr0(const NumberName& name, double smallest, double largest)
+double TextReader::LenientNumberLine(const char* name, double smallest, double largest)
 {
   this->ReadTokenLine(name);
-  return this->Token.empty() ? 0.0 : this->Parse(name, smallest, largest);
+  const std::string_view token = this->Token();
+  double value = 0.0;
+  if (!token.empty() && !(ParseNumber(token, value) && value >= smallest && value <= largest))
+  {
+    this->Note(std::string(name) + " is " + Quoted(token) + ", not a number " +
+      Range(smallest, largest) + "; 0 was taken, and the light does not depend on it");
+    return 0.0;
+  }
+  return value;
 }
 
 std::size_t TextReader::CountLine(const NumberName& name, std::size_t smallest, std::size_t largest)
@@ -136,9 +168,22 @@ double TextReader::NextNumber(const NumberName& name, double smallest, double la
 {
   if (!this->FindToken())
   {
-    this->Fail("the file ends where its " + Text(name) + " should come");
+    this->FailAtEnd(name);
   }
   return this->Parse(name, smallest, largest);
+}
+
+double TextReader::LenientNumber(
+  const char* name, double smallest, double largest, double otherwise)
+{
+  const double value = this->NextNumber(name, -LargestNumber, LargestNumber);
+  if (value >= smallest && value <= largest)
+  {
+    return value;
+  }
+  this->Note(std::string(name) + " is " + NumberText(value) + ", not " + Range(smallest, largest) +
+    "; " + NumberText(otherwise) + " was taken, and the light does not depend on it");
+  return otherwise;
 }
 
 std::size_t TextReader::NextCount(const NumberName& name, std::size_t smallest, std::size_t largest)
@@ -147,26 +192,62 @@ std::size_t TextReader::NextCount(const NumberName& name, std::size_t smallest, 
     name, this->NextNumber(name, static_cast<double>(smallest), static_cast<double>(largest)));
 }
 
-void TextReader::RequireEnd(const char* lastName)
+std::size_t TextReader::NumbersAhead() const
 {
-  if (this->FindToken())
+  TextReader ahead = *this;
+  std::size_t numbers = 0;
+  for (double value; ahead.FindToken() && ParseNumber(ahead.Token(), value);)
   {
-    this->Refuse(NumberName("what follows"),
-      std::string("nothing must follow the last ") + lastName + " that the counts announce");
+    ++numbers;
   }
+  return numbers;
+}
+
+bool TextReader::LineIsRead() const
+{
+  return Trimmed(std::string_view(this->Line).substr(this->Position)).empty();
+}
+
+double TextReader::Positive(const NumberName& name, double value) const
+{
+  if (!(value > 0.0))
+  {
+    this->Refuse(name, "it must be above 0");
+  }
+  return value;
+}
+
+void TextReader::EndAfter(const char* lastName)
+{
+  if (!this->FindToken())
+  {
+    return;
+  }
+  double value = 0.0;
+  if (ParseNumber(this->Token(), value))
+  {
+    this->Refuse("what follows",
+      std::string("no number must follow the last ") + lastName +
+        " that the counts announce; the counts or the numbers are wrong");
+  }
+  this->Note(
+    Quoted(this->Token()) + " and what follows after the last " + lastName + " was not read");
 }
 
 void TextReader::Refuse(const NumberName& name, const std::string& wanted) const
 {
-  constexpr std::size_t longest = 40;
-  std::string token = OneLine(this->Token.substr(0, longest));
-  this->Fail(
-    Text(name) + " is '" + token + (this->Token.size() > longest ? "...'; " : "'; ") + wanted);
+  this->Fail(Text(name) + " is " + Quoted(this->Token()) + "; " + wanted);
 }
 
 void TextReader::Fail(const std::string& message) const
 {
-  throw PhotometricFileError(std::max<std::size_t>(this->Number, 1), message);
+  throw PhotometricFileError(this->LineNumber(), message);
+}
+
+void TextReader::FailAtEnd(const NumberName& name) const
+{
+  this->Fail(
+    "the file ends where its " + Text(name) + " should come; numbers are missing before or here");
 }
 
 bool TextReader::FindToken()
@@ -186,32 +267,25 @@ bool TextReader::FindToken()
       return false;
     }
   }
-  const std::size_t begin = this->Position;
+  this->TokenBegin = this->Position;
   while (this->Position < this->Line.size() && !IsSeparator(this->Line[this->Position]))
   {
     ++this->Position;
   }
-  this->Token = std::string_view(this->Line).substr(begin, this->Position - begin);
+  this->TokenEnd = this->Position;
   return true;
 }
 
 double TextReader::Parse(const NumberName& name, double smallest, double largest) const
 {
-  std::string_view digits = this->Token;
-  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-')
-  {
-    digits.remove_prefix(1); // from_chars takes no plus
-  }
   double value = 0.0;
-  const char* end = digits.data() + digits.size();
-  const auto [stop, error] = std::from_chars(digits.data(), end, value);
-  if (digits.empty() || error != std::errc() || stop != end || !std::isfinite(value))
+  if (!ParseNumber(this->Token(), value))
   {
     this->Refuse(name, "it must be a number");
   }
   if (value < smallest || value > largest)
   {
-    this->Refuse(name, "it must be within [" + Text(smallest) + ", " + Text(largest) + "]");
+    this->Refuse(name, "it must be " + Range(smallest, largest));
   }
   return value;
 }
@@ -223,49 +297,6 @@ std::size_t TextReader::AsCount(const NumberName& name, double value) const
     this->Refuse(name, "it must be a whole number");
   }
   return static_cast<std::size_t>(value);
-}
-
-std::string_view Trimmed(std::string_view text)
-{
-  while (!text.empty() && IsBlank(text.front()))
-  {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && IsBlank(text.back()))
-  {
-    text.remove_suffix(1);
-  }
-  return text;
-}
-
-std::string OneLine(std::string_view text)
-{
-  text = Trimmed(text);
-  const bool isUtf8 = IsUtf8(text);
-  std::string line;
-  for (const char c : text)
-  {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x80 && !isUtf8)
-    {
-      line += static_cast<char>(0xC0 | (byte >> 6));
-      line += static_cast<char>(0x80 | (byte & 0x3F));
-    }
-    else
-    {
-      line += IsBlank(c) || byte == 0x7F ? ' ' : c;
-    }
-  }
-  return line;
-}
-
-void AddToList(std::string& list, std::string_view part)
-{
-  const std::string text = OneLine(part);
-  if (!text.empty())
-  {
-    list += (list.empty() ? "" : ", ") + text;
-  }
 }
 
 } // namespace PhotonTransport

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/photometry/PhotometricText.h"
+
 #include <cstddef>
-#include <istream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace PhotonTransport
 {
@@ -24,63 +26,87 @@ struct NumberName
 /// Far beyond any lamp, and any sum of such numbers is finite.
 constexpr double LargestNumber = 1e30;
 
+/// What a comma between digits is; another comma separates numbers as a blank does.
+enum class Commas
+{
+  Separate,
+  AreDecimal
+};
+
 /// Reads a photometric file by lines or by numbers. Everything wrong becomes a PhotometricFileError
-/// with the line that was read last.
+/// with the line that was read last. What the light does not depend on is read leniently: it gives
+/// a note where it makes no sense.
 class TextReader
 {
 public:
-  explicit TextReader(std::istream& file)
-    : File(file)
-  {
-  }
+  /// The text must outlive the reader. A copy goes on from the same place.
+  TextReader(const PhotometricText& text, Commas commas);
 
-  std::size_t LineNumber() const { return this->Number; }
+  std::size_t LineNumber() const;
+  /// Those of the text first.
+  const std::vector<std::string>& Notes() const { return this->AllNotes; }
+  /// With the number of the line that was read last.
+  void Note(const std::string& note);
 
-  /// The next line without its end; numbers come from later ones. @return False at the end of the
-  /// file.
+  /// The next line, without blanks at either end; numbers come from later ones. @return False at
+  /// the end of the file.
   bool NextLine(std::string& line);
-
-  /// The next line, which must be there, without blanks at either end.
+  /// The next line, which must be there.
   std::string TextLine(const char* name);
 
-  /// A number that has the next line for itself, with a decimal point or comma.
+  /// A number that has the next line for itself.
   double NumberLine(const NumberName& name, double smallest, double largest);
-  /// 0 for an empty line: for numbers that matter little, which some files leave out.
-  double NumberLineOr0(const NumberName& name, double smallest, double largest);
+  /// For what light does not depend on: 0 for an empty line, 0 and a note for one that is no
+  /// number or out of range.
+  double LenientNumberLine(const char* name, double smallest, double largest);
   std::size_t CountLine(const NumberName& name, std::size_t smallest, std::size_t largest);
 
   /// The next number, on this line or a later one, after blanks or commas.
   double NextNumber(const NumberName& name, double smallest, double largest);
+  /// For what light does not depend on: `otherwise` and a note for a number out of range.
+  double LenientNumber(const char* name, double smallest, double largest, double otherwise);
   std::size_t NextCount(const NumberName& name, std::size_t smallest, std::size_t largest);
+  /// How many numbers follow before the end or the first text that is none.
+  std::size_t NumbersAhead() const;
+  /// Whether only blanks follow on the line that was read last.
+  bool LineIsRead() const;
 
-  /// Throws if anything but blanks follows.
-  void RequireEnd(const char* lastName);
+  /// The value, refused as the one read last unless it is above 0.
+  double Positive(const NumberName& name, double value) const;
+
+  /// Notes text that follows and refuses numbers, which the counts do not announce.
+  void EndAfter(const char* lastName);
 
   /// "<name> is '<text that was read last>'; <wanted>".
   [[noreturn]] void Refuse(const NumberName& name, const std::string& wanted) const;
   [[noreturn]] void Fail(const std::string& message) const;
+  [[noreturn]] void FailAtEnd(const NumberName& name) const;
 
 private:
   bool FetchLine();
   bool FindToken();
+  std::string_view Token() const
+  {
+    return std::string_view(this->Line).substr(this->TokenBegin, this->TokenEnd - this->TokenBegin);
+  }
   void ReadTokenLine(const NumberName& name);
   double Parse(const NumberName& name, double smallest, double largest) const;
   std::size_t AsCount(const NumberName& name, double value) const;
 
-  std::istream& File;
-  std::size_t Number = 0;
+  const PhotometricText* Source;
+  Commas Comma;
+  std::vector<std::string> AllNotes;
+  std::size_t Fetched = 0; ///< Lines.
   std::string Line;
   std::size_t Position = 0; ///< In Line, after the token.
-  std::string_view Token;
+  std::size_t TokenBegin = 0;
+  std::size_t TokenEnd = 0;
 };
 
-/// Without blanks and control characters at either end.
-std::string_view Trimmed(std::string_view text);
+/// A number as photometric files have them. @return False for anything else.
+bool ParseNumber(std::string_view text, double& value);
 
-/// Trimmed, without control characters, in UTF-8: other bytes are taken for Latin-1.
-std::string OneLine(std::string_view text);
-
-/// Adds a part that is not empty to a list that commas separate.
-void AddToList(std::string& list, std::string_view part);
+/// As short as it is exact to six digits.
+std::string NumberText(double value);
 
 } // namespace PhotonTransport
