@@ -5,6 +5,7 @@
 #include "IlluminationArrays.h"
 #include "LuminaireInput.h"
 #include "MissingLight.h"
+#include "OneRank.h"
 #include "Pipeline.h"
 #include "SceneBlocks.h"
 
@@ -209,6 +210,17 @@ int vtkIlluminationMap::RequestData(
   const vtkSmartPointer<vtkDataObject> in = vtkDataObject::GetData(input[0]);
   vtkDataObject* out = vtkDataObject::GetData(output);
   PassThrough(in, out);
+  const RankTask task = TaskOfThisRank(in, input[1]);
+  if (!task.Works)
+  {
+    this->Kept.reset();
+    FillAccuracyTable(vtkTable::GetData(output, 1), {});
+    if (!task.Message.empty())
+    {
+      vtkErrorMacro(<< task.Message);
+    }
+    return 1;
+  }
   // An error leaves the input passed through and the pipeline usable: it is said once, here, and
   // not again by the executive, which a return value of 0 would bring about.
   try

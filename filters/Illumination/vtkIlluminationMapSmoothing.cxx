@@ -4,6 +4,7 @@
 #include "CoreSettings.h"
 #include "FieldArrays.h"
 #include "MapBlocks.h"
+#include "OneRank.h"
 #include "Pipeline.h"
 
 #include "PhotonTransport/filtration/Filtration.h"
@@ -146,6 +147,15 @@ int vtkIlluminationMapSmoothing::RequestData(
   const vtkSmartPointer<vtkDataObject> in = vtkDataObject::GetData(input[0]);
   vtkDataObject* out = vtkDataObject::GetData(output);
   PassThrough(in, out);
+  const RankTask task = TaskOfThisRank(in, nullptr);
+  if (!task.Works)
+  {
+    if (!task.Message.empty())
+    {
+      vtkErrorMacro(<< task.Message);
+    }
+    return 1;
+  }
   try
   {
     this->Smooth(out);

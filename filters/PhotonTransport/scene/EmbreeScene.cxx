@@ -126,8 +126,14 @@ struct EmbreeScene::Implementation
 
   ~Implementation()
   {
-    rtcReleaseScene(this->scene);
-    rtcReleaseDevice(this->device);
+    if (this->scene)
+    {
+      rtcReleaseScene(this->scene);
+    }
+    if (this->device)
+    {
+      rtcReleaseDevice(this->device);
+    }
   }
 
   void ThrowOnError() const
@@ -209,7 +215,7 @@ struct EmbreeScene::Implementation
 
 EmbreeScene::EmbreeScene(
   std::vector<glm::vec3> points, std::vector<glm::uvec3> facets, std::vector<FacetPart> parts)
-  : Impl(std::make_unique<Implementation>())
+  : Impl(MakeProcessPtr<Implementation>())
 {
   this->Impl->facets = facets.size();
   AddParts(parts, points, facets);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "PhotonTransport/refinement/Subdivision.h"
+#include "PhotonTransport/scene/ProcessEnd.h"
 
 #include <glm/vec3.hpp>
 
@@ -69,7 +70,7 @@ public:
 
 private:
   struct Implementation;
-  std::unique_ptr<Implementation> Impl;
+  ProcessPtr<Implementation> Impl;
 };
 
 } // namespace PhotonTransport

@@ -206,7 +206,7 @@ PhotonTracer::PhotonTracer(
   , Answer(AnalyseEffects(scene, lighting, settings))
   , Source(lighting, scene, this->Answer.colour)
   , Materials(MakeRoulettes(scene, WalkFor(this->Answer, settings), this->Answer.colouredFacets))
-  , Pool(std::make_unique<Workers>(ThreadCount(settings)))
+  , Pool(MakeProcessPtr<Workers>(ThreadCount(settings)))
 {
   RequireIlluminanceInRange(scene, this->Flux());
   for (IlluminationSums& sums : this->Pool->sums)

@@ -4,6 +4,7 @@
 #include "PhotonTransport/effects/Effects.h"
 #include "PhotonTransport/lights/Emitter.h"
 #include "PhotonTransport/registration/IlluminationSums.h"
+#include "PhotonTransport/scene/ProcessEnd.h"
 #include "PhotonTransport/scene/Scene.h"
 #include "PhotonTransport/transport/TraceSettings.h"
 #include "PhotonTransport/transport/Walk.h"
@@ -58,7 +59,7 @@ private:
   Effects Answer;
   Emitter Source;
   FacetRoulettes Materials;
-  std::unique_ptr<Workers> Pool;
+  ProcessPtr<Workers> Pool;
 };
 
 } // namespace PhotonTransport
