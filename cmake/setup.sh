@@ -10,7 +10,7 @@ illumination_packages=(
   libembree-dev libglm-dev libtbb-dev
   libgtest-dev libboost-dev
   paraview-dev python3-paraview python3-dev python3-numpy python3-matplotlib
-  libopenmpi-dev libdouble-conversion-dev libexpat1-dev libfreetype-dev liblz4-dev liblzma-dev
+  libopenmpi-dev openmpi-bin libdouble-conversion-dev libexpat1-dev libfreetype-dev liblz4-dev liblzma-dev
   libutfcpp-dev
   qttools5-dev qtxmlpatterns5-dev-tools # help pages in ParaView
   xvfb xauth libgl1-mesa-dri            # pictures without a screen

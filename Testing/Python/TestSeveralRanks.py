@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Under MPI a scene on one rank is lit as without MPI; one that is spread over ranks gets one error
+and no map. Run by mpiexec; without arguments it starts itself so, for 2 and 3 ranks."""
+import math
+import os
+import subprocess
+import sys
+
+SPREAD = "the scene is spread over several MPI ranks"
+
+# Name of a scene -> (errors, mean illuminance of the map or None for no map).
+SCENES = {
+    "plane": (0, 1000.0),  # a source that only rank 0 has, lit by the default parallel light
+    "plane_lamp": (0, "map"),
+    "sphere": (1, None),
+    "sphere_lamp": (1, None),
+    "gathered": (0, "map"),
+    "gathered_lamp": (0, "map"),
+    "nothing": (1, None),
+    "bad_value": (1, None),
+    "smoothed": (0, "map"),
+    "smoothed_spread": (1, None),
+}
+
+
+def scene(name):
+    from paraview import simple
+    simple.LoadPlugin(os.environ["ILLUMINATION_PLUGIN"], remote=False, ns=globals())
+    if name == "nothing":
+        surface = simple.ProgrammableSource(OutputDataSetType="vtkPolyData", Script="pass")
+    elif name.startswith(("sphere", "gathered", "smoothed_spread")):
+        surface = simple.Sphere()
+        if name.startswith("gathered"):
+            surface = simple.AggregateDataset(Input=surface, NumberOfTargetProcesses=1)
+    else:
+        surface = simple.Plane(XResolution=4, YResolution=4)
+    more = {}
+    if name.endswith("lamp"):
+        more["Luminaires"] = [Luminaire(Type="Point", Position=[0, 0, 3])]  # noqa: F821
+    if name == "bad_value":
+        more["MaximumPathLength"] = 0
+    if name == "smoothed_spread":
+        surface.UpdatePipeline()
+        map_like = simple.Calculator(Input=surface, ResultArrayName="Illuminance", Function="1")
+        result, array = IlluminationMapSmoothing(Input=map_like), "IlluminanceSmoothed"  # noqa: F821
+    else:
+        result, array = IlluminationMap(Input=surface, Photons=20000, **more), "Illuminance"  # noqa: F821
+        if name == "smoothed":
+            result, array = IlluminationMapSmoothing(Input=result), "IlluminanceSmoothed"  # noqa: F821
+    for _ in range(2):  # an execution after the first goes the same way
+        result.UpdatePipeline()
+    found = result.PointData[array]
+    print("MAP", found.GetRange() if found else None, flush=True)
+
+
+def check(ranks, name):
+    errors, expected = SCENES[name]
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    command = [os.environ["MPIEXEC"], *os.environ["MPIEXEC_FLAGS"].split(), "-n", str(ranks),
+               os.environ["PVBATCH"], __file__, name]
+    run = subprocess.run(command, env=environment, text=True, timeout=60,
+                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    said = run.stdout
+    about = f"{ranks} ranks, {name}:\n{said}"
+    assert run.returncode == 0, about
+    assert said.count("ERR|") == errors, about
+    spread = name.startswith(("sphere", "smoothed_spread"))
+    assert (SPREAD in said) == spread, about
+    maps = [line for line in said.splitlines() if line.startswith("MAP")]
+    assert len(maps) == 1 and (maps[0] == "MAP None") == (expected is None), about
+    if isinstance(expected, float):
+        low, high = (float(number) for number in maps[0][5:-1].split(","))
+        # 20000 Sobol points: below 2 % at each of the points
+        assert math.isclose(low, expected, rel_tol=0.05) and math.isclose(high, expected, rel_tol=0.05), about
+    print(ranks, name, maps[0], flush=True)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        scene(sys.argv[1])
+    else:
+        for number in (2, 3):
+            for kind in SCENES:
+                check(number, kind)
