@@ -4,7 +4,7 @@
 #include "vtkSphereSource.h"
 
 /// A filter with a surface, not yet executed. The caller owns it.
-extern "C" vtkAlgorithm* MakeFilter(long long photons)
+extern "C" VTK_ABI_EXPORT vtkAlgorithm* MakeFilter(long long photons)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(32);

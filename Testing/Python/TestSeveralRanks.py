@@ -15,7 +15,8 @@ SCENES = {
     "sphere": (1, None),
     "sphere_lamp": (1, None),
     "gathered": (0, "map"),
-    "gathered_lamp": (0, "map"),
+    "elsewhere": (0, 1000.0),
+    "elsewhere_lamp": (1, None),  # surfaces on the last rank only, the luminaire on the first
     "nothing": (1, None),
     "bad_value": (1, None),
     "smoothed": (0, "map"),
@@ -23,11 +24,30 @@ SCENES = {
 }
 
 
+PIECES = """
+info = self.GetOutputInformation(0)
+info.Set(self.CAN_HANDLE_PIECE_REQUEST(), 1)
+"""
+PLANE_ON_LAST_RANK = """
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+controller = vtkMultiProcessController.GetGlobalController()
+if controller.GetLocalProcessId() == controller.GetNumberOfProcesses() - 1:
+    plane = vtkPlaneSource()
+    plane.SetResolution(4, 4)
+    plane.Update()
+    self.GetOutput().ShallowCopy(plane.GetOutput())
+"""
+
+
 def scene(name):
     from paraview import simple
     simple.LoadPlugin(os.environ["ILLUMINATION_PLUGIN"], remote=False, ns=globals())
     if name == "nothing":
         surface = simple.ProgrammableSource(OutputDataSetType="vtkPolyData", Script="pass")
+    elif name.startswith("elsewhere"):
+        surface = simple.ProgrammableSource(OutputDataSetType="vtkPolyData", ScriptRequestInformation=PIECES,
+                                            Script=PLANE_ON_LAST_RANK)
     elif name.startswith(("sphere", "gathered", "smoothed_spread")):
         surface = simple.Sphere()
         if name.startswith("gathered"):
@@ -64,7 +84,7 @@ def check(ranks, name):
     about = f"{ranks} ranks, {name}:\n{said}"
     assert run.returncode == 0, about
     assert said.count("ERR|") == errors, about
-    spread = name.startswith(("sphere", "smoothed_spread"))
+    spread = name.startswith(("sphere", "smoothed_spread", "elsewhere_lamp"))
     assert (SPREAD in said) == spread, about
     maps = [line for line in said.splitlines() if line.startswith("MAP")]
     assert len(maps) == 1 and (maps[0] == "MAP None") == (expected is None), about

@@ -89,13 +89,15 @@ std::string RanksWith(const std::vector<int>& holdings, int kind)
 std::string SpreadMessage(const std::vector<int>& holdings)
 {
   const std::string luminaires = RanksWith(holdings, Luminaires);
+  const std::string cure = luminaires.empty()
+    ? "Run ParaView or pvserver on one rank, or put the filter Aggregate Dataset with 1 target "
+      "process before this one."
+    : "Run ParaView or pvserver on one rank.";
   return "the scene is spread over several MPI ranks: surfaces are on " +
     RanksWith(holdings, Surfaces) + (luminaires.empty() ? "" : ", luminaires on " + luminaires) +
-    ". Each rank sees only its own part, so shadows and reflections of the others would be "
-    "missing; "
-    "there is no result. Run ParaView or pvserver on one rank, or put the filter Aggregate Dataset "
-    "with 1 target process before this one, which brings all surfaces to rank 0, where luminaires "
-    "are";
+    ". Each rank sees only its own part, so light and shadows of the others would be missing; "
+    "there is no result. " +
+    cure;
 }
 
 } // namespace
