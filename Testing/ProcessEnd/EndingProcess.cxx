@@ -13,6 +13,7 @@
 #include <iostream>
 #include <string>
 #include <thread>
+#include <utility>
 
 namespace
 {
@@ -46,7 +47,7 @@ int End(const std::string& way, vtkSmartPointer<vtkAlgorithm> filter)
 {
   if (way == "global" || way == "run-at-end" || way == "exit" || way == "quick_exit")
   {
-    Global.Filter = filter;
+    Global.Filter = std::move(filter);
     Global.RunAtEnd = way == "run-at-end";
   }
   if (way == "exit")
@@ -55,7 +56,7 @@ int End(const std::string& way, vtkSmartPointer<vtkAlgorithm> filter)
   }
   if (way == "exit-in-thread")
   {
-    Global.Filter = filter;
+    Global.Filter = std::move(filter);
     std::thread([] { std::exit(8); }).join();
   }
   if (way == "quick_exit")
@@ -109,5 +110,5 @@ int main(int, char* words[])
     return 98;
   }
   filter->Update();
-  return End(way, filter);
+  return End(way, std::move(filter));
 }

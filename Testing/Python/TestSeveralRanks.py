@@ -99,6 +99,7 @@ if __name__ == "__main__":
     if len(sys.argv) > 1:
         scene(sys.argv[1])
     else:
-        for number in (2, 3):
-            for kind in SCENES:
-                check(number, kind)
+        for kind in SCENES:
+            check(2, kind)
+        for kind in ("plane_lamp", "sphere", "gathered", "elsewhere", "elsewhere_lamp"):
+            check(3, kind)
