@@ -4,14 +4,19 @@
 #include "GhostCells.h"
 #include "InputChecks.h"
 
+#include "PhotonTransport/geometry/TriangleArea.h"
 #include "PhotonTransport/scene/FacetSide.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStaticPointLocator.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <glm/geometric.hpp>
@@ -19,7 +24,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace
@@ -28,14 +32,13 @@ namespace
 using Position = std::array<double, 3>;
 
 /// What the cells and arrays of a block say of its points.
-class Points
+class BlockPoints
 {
 public:
-  Points(vtkPolyData* data, const std::string& block)
+  BlockPoints(vtkPolyData* data, const std::string& block)
     : Data(data)
     , Normals(CheckedNormals(data, block))
     , Flags(GhostPointFlags(data, block))
-    , OfScene(static_cast<std::size_t>(data->GetNumberOfPoints()), false)
     , Ghosts(data, block)
     , OfScene(static_cast<std::size_t>(data->GetNumberOfPoints()), false)
     , OfCopies(this->OfScene)
@@ -153,71 +156,82 @@ bool IsFinite(const Position& place)
   return std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]);
 }
 
-struct Candidate
+/// A point of one of the blocks.
+struct Place
 {
   std::size_t block;
   vtkIdType point;
 };
 
-/// For the place of each ghost point the points there that may own it.
-std::map<Position, std::vector<Candidate>> FindCandidates(const std::vector<Points>& blocks)
+/// Finds owners among the points of the scene that are no copies.
+class Owners
 {
-  std::map<Position, std::vector<Candidate>> places;
-  const auto forEach = [&](const auto& f)
+public:
+  explicit Owners(std::vector<BlockPoints>& blocks)
+    : Blocks(blocks)
   {
+    vtkNew<vtkPoints> candidates;
+    candidates->SetDataTypeToDouble();
+    double farthest = 0.0;
     for (std::size_t b = 0; b < blocks.size(); ++b)
     {
       for (vtkIdType p = 0; p < blocks[b].Count(); ++p)
       {
-        f(blocks[b], b, p);
+        if (blocks[b].IsUsed(p) && !blocks[b].IsGhost(p))
+        {
+          const Position x = blocks[b].At(p);
+          candidates->InsertNextPoint(x.data());
+          this->Places.push_back({ b, p });
+          farthest = std::max({ farthest, std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2]) });
+        }
       }
     }
-  };
-  forEach(
-    [&](const Points& block, std::size_t, vtkIdType p)
-    {
-      const Position place = block.At(p);
-      if (block.IsGhost(p) && IsFinite(place))
-      {
-        places[place];
-      }
-    });
-  forEach(
-    [&](const Points& block, std::size_t b, vtkIdType p)
-    {
-      const auto found =
-        block.IsUsed(p) && !block.IsGhost(p) ? places.find(block.At(p)) : places.end();
-      if (found != places.end())
-      {
-        found->second.push_back({ b, p });
-      }
-    });
-  return places;
-}
-
-/// The candidate that faces most like the ghost; null if none does.
-const Candidate* OwnerOf(
-  std::vector<Points>& blocks, const Candidate& ghost, const std::vector<Candidate>& candidates)
-{
-  // A copy has its owner's normal. Where none are given, a copy may have fewer cells around it, and
-  // those of a corner that has three walls face 55 degrees away from it.
-  constexpr double Same = 0.999;
-  constexpr double Alike = 0.5;
-  const Candidate* owner = nullptr;
-  double best = 0.0;
-  const glm::dvec3 front = blocks[ghost.block].FrontOf(ghost.point);
-  for (const Candidate& candidate : candidates)
-  {
-    const bool given = blocks[ghost.block].HaveNormals() && blocks[candidate.block].HaveNormals();
-    const double cosine = glm::dot(front, blocks[candidate.block].FrontOf(candidate.point));
-    if (cosine > (given ? Same : Alike) && cosine > best)
-    {
-      owner = &candidate;
-      best = cosine;
-    }
+    this->Radius = PhotonTransport::SingleRounding * farthest;
+    vtkNew<vtkPolyData> cloud;
+    cloud->SetPoints(candidates);
+    this->Locator->SetDataSet(cloud);
+    this->Locator->BuildLocator();
   }
-  return owner;
-}
+
+  /// The point in the ghost's place that faces most like it; null if none does.
+  const Place* Of(const Place& ghost)
+  {
+    // A copy has its owner's normal. Where none are given, a copy may have fewer cells around it,
+    // and those of a corner that has three walls face 55 degrees away from it.
+    constexpr double Same = 0.999;
+    constexpr double Alike = 0.5;
+    BlockPoints& block = this->Blocks[ghost.block];
+    const Position place = block.At(ghost.point);
+    if (this->Places.empty() || !IsFinite(place))
+    {
+      return nullptr;
+    }
+    this->Locator->FindPointsWithinRadius(this->Radius, place.data(), this->Near);
+    this->Near->Sort(); // among equals the first, whatever the order of the search
+    const Place* owner = nullptr;
+    double best = 0.0;
+    for (vtkIdType i = 0; i < this->Near->GetNumberOfIds(); ++i)
+    {
+      const Place& there = this->Places[static_cast<std::size_t>(this->Near->GetId(i))];
+      BlockPoints& other = this->Blocks[there.block];
+      const bool given = block.HaveNormals() && other.HaveNormals();
+      const double cosine = glm::dot(block.FrontOf(ghost.point), other.FrontOf(there.point));
+      if (cosine > (given ? Same : Alike) && cosine > best)
+      {
+        owner = &there;
+        best = cosine;
+      }
+    }
+    return owner;
+  }
+
+private:
+  std::vector<BlockPoints>& Blocks;
+  std::vector<Place> Places; ///< Of the locator's points.
+  double Radius = 0.0;
+  vtkNew<vtkStaticPointLocator> Locator;
+  vtkNew<vtkIdList> Near;
+};
 
 } // namespace
 
@@ -229,13 +243,13 @@ std::vector<GhostPoints> FindGhostPoints(
   {
     return {};
   }
-  std::vector<Points> points;
+  std::vector<BlockPoints> points;
   points.reserve(blocks.size());
   for (const auto& [data, name] : blocks)
   {
     points.emplace_back(data, name);
   }
-  const std::map<Position, std::vector<Candidate>> places = FindCandidates(points);
+  Owners owners(points);
   std::vector<GhostPoints> found(blocks.size());
   for (std::size_t b = 0; b < points.size(); ++b)
   {
@@ -245,10 +259,7 @@ std::vector<GhostPoints> FindGhostPoints(
       {
         continue;
       }
-      const Position place = points[b].At(p);
-      const auto there = IsFinite(place) ? places.find(place) : places.end();
-      const Candidate* owner =
-        there == places.end() ? nullptr : OwnerOf(points, { b, p }, there->second);
+      const Place* owner = owners.Of({ b, p });
       if (owner)
       {
         found[b].owned.push_back({ p, owner->block, owner->point });

@@ -29,7 +29,8 @@ struct GhostPoints
 
 /// The points of each block that vtkGhostType marks as copies, or that only cells use which it
 /// marks as such (GhostCells), with their owners: points that are no copies, of a surface in the
-/// same place that faces the same way. Positions are compared bit for bit. Nothing is found where
+/// same place that faces the same way. Positions are the same up to the rounding of
+/// single precision. Nothing is found where
 /// there is no vtkGhostType; the result is then empty.
 /// @param blocks Each with its name for messages; their cells must be valid.
 std::vector<GhostPoints> FindGhostPoints(
