@@ -120,7 +120,8 @@ BlockFacets FacetsOf(const SceneBlock& block, const Surface& surface)
 /// Points that stand for the light of several sides.
 void AddNoteOnSharedPoints(std::vector<std::string>& notes, const SceneBlocks& blocks)
 {
-  constexpr float CosineOf60Degrees = 0.5f - 1e-3f; // a hexagonal column has 60, rounded
+  // Coarse shapes with smooth normals stay below: an octahedron's facets meet at 71 degrees.
+  constexpr float CosineOf75Degrees = 0.2588f;
   std::size_t number = 0;
   std::string first;
   for (const SceneBlock& block : blocks.Blocks())
@@ -128,7 +129,7 @@ void AddNoteOnSharedPoints(std::vector<std::string>& notes, const SceneBlocks& b
     const BlockFacets facets = FacetsOf(block, blocks.Surface());
     const std::vector<std::uint8_t> shared =
       PhotonTransport::PointsOnSharpEdges(static_cast<std::size_t>(block.data->GetNumberOfPoints()),
-        facets.points, facets.normals, CosineOf60Degrees);
+        facets.points, facets.normals, CosineOf75Degrees);
     const auto found = std::find(shared.begin(), shared.end(), std::uint8_t{ 1 });
     if (number == 0 && found != shared.end())
     {
@@ -139,7 +140,7 @@ void AddNoteOnSharedPoints(std::vector<std::string>& notes, const SceneBlocks& b
   if (number > 0)
   {
     notes.push_back(Line(number, " points, the first being ", first,
-      ", are shared by facets that meet at more than 60 degrees: their values mix the light of all "
+      ", are shared by facets that meet at more than 75 degrees: their values mix the light of all "
       "these sides; split them by Generate Surface Normals, with Splitting on, before the map is "
       "computed"));
   }
