@@ -210,6 +210,8 @@ TEST_F(FilterNormals, OfPointsSharedAcrossASharpEdgeAreSaid)
 {
   const std::string note = "are shared by facets that meet at more than 75 degrees";
   vtkSmartPointer<vtkPolyData> room = RandomRoom(1).Data(true, false);
+  this->Filter->SetLampType(vtkIlluminationMap::POINT);
+  this->Filter->SetLampPosition(0.0, 0.0, 0.0);
   this->Filter->SetInputData(room);
   this->ExpectMap();
   // All points on the box's edges, 4 cells long: 8 corners and 3 between, on each of 12 edges.
