@@ -256,7 +256,8 @@ void CheckSurfaceErrors(Checks& check)
   Expect(panels, "cell 1: exitance nan", check);
   exitance->SetTuple1(1, 2.0);
   panels->GetPoints()->SetPoint(4, 0.0, HUGE_VAL, 0.0);
-  Expect(panels, "point 4: its coordinates are not finite", check);
+  Expect(panels, "point 4: its coordinates (0, inf, 0), which cell 1 uses, are not finite", check);
+  panels->GetPoints()->SetPoint(4, 0.0, 0.0, 0.0);
   exitance->SetNumberOfTuples(1);
   Expect(panels, "cell array 'Exitance' has 1 values for 2 cells", check);
   Expect(Panels(2), "cell array 'Exitance' has 2 components", check);

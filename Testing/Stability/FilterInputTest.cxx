@@ -196,6 +196,39 @@ TEST_F(FilterInput, PointThatIsNoNumber)
   this->ExpectMap();
 }
 
+TEST_F(FilterInput, PointThatIsNoNumberInAnyCell)
+{
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  for (const double x : { 0.0, 1.0, 2.0, 3.0 })
+  {
+    points->InsertNextPoint(x, 0.0, 0.0);
+    points->InsertNextPoint(x, 1.0, 0.1 * x);
+  }
+  const std::initializer_list<vtkIdType> triangle = { 0, 2, 3 }, square = { 0, 2, 3, 1 },
+                                         polygon = { 0, 2, 4, 6, 7, 5, 3, 1 },
+                                         degenerate = { 2, 2, 3 };
+  for (const auto& corners : { triangle, square, polygon, degenerate })
+  {
+    for (const bool strip : { false, true })
+    {
+      vtkNew<vtkCellArray> cells;
+      cells->InsertNextCell({ 4, 6, 7 });
+      cells->InsertNextCell(corners);
+      this->Surface->Initialize();
+      this->Surface->SetPoints(points);
+      strip ? this->Surface->SetStrips(cells) : this->Surface->SetPolys(cells);
+      for (const double bad : { NoNumber, Infinity })
+      {
+        points->SetPoint(2, 1.0, bad, 0.0);
+        points->Modified();
+        this->ExpectErrorAndRecovery("point 2: its coordinates (1, ");
+        this->ExpectError("which cell 1 uses, are not finite");
+        points->SetPoint(2, 1.0, 0.0, 0.0);
+      }
+    }
+  }
+}
+
 TEST_F(FilterInput, NormalsThatDoNotFit)
 {
   vtkPointData* arrays = this->Surface->GetPointData();

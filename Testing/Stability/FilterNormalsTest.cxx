@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Point normals as they come: of any type, name, length, in part, not at all.
 #include "FilterTools.h"
+#include "RoomMesh.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
+#include "vtkPolyDataNormals.h"
 
 #include <cmath>
 #include <limits>
@@ -159,5 +163,100 @@ TEST_F(FilterNormals, WithoutADirectionAreReplacedAndCounted)
     EXPECT_EQ(this->Notes(),
       "4 point normals were zero or not finite; the mean of the facets around the point stands "
       "in\n");
+  }
+}
+
+TEST_F(FilterNormals, InTheirFacetsPlaneGiveWayToTheWindingAndAreSaid)
+{
+  vtkNew<vtkPlaneSource> plane; // in z = 0, wound to look up
+  plane->SetResolution(3, 3);
+  plane->Update();
+  this->Surface = plane->GetOutput();
+  this->Filter->SetInputData(this->Surface);
+  this->Given = this->Surface->GetPointData()->GetNormals();
+  for (const int registration : { 0, 1, 2 })
+  {
+    SCOPED_TRACE(registration);
+    this->Filter->SetRegistration(registration);
+    this->Use(this->Given);
+    const std::vector<double> expected = this->Map();
+    EXPECT_EQ(this->Notes(), "");
+    const vtkSmartPointer<vtkDoubleArray> inPlane = this->Copy<vtkDoubleArray>(1.0);
+    for (const double lift : { 0.0, 1e-4, -1e-4 }) // as rounding may leave it
+    {
+      for (vtkIdType p = 0; p < inPlane->GetNumberOfTuples(); ++p)
+      {
+        inPlane->SetTuple3(p, 1.0, p % 2 == 0 ? 1.0 : -1.0, lift);
+      }
+      this->Use(inPlane);
+      EXPECT_EQ(this->Map(), expected);
+      EXPECT_NE(this->Notes().find("18 triangles, the first in cell 0, and 16 points, the first "
+                                   "being point 0, have point normals that lie in the triangles' "
+                                   "own plane"),
+        std::string::npos)
+        << this->Notes();
+    }
+    // One such normal among good ones: they decide its facets' front, the facets its direction.
+    const vtkSmartPointer<vtkDoubleArray> one = this->Copy<vtkDoubleArray>(1.0);
+    one->SetTuple3(5, 0.0, 1.0, 0.0);
+    this->Use(one);
+    EXPECT_EQ(this->Map(), expected);
+    EXPECT_EQ(this->Notes().find("1 points, the first being point 5, have point normals"), 0u)
+      << this->Notes();
+  }
+}
+
+TEST_F(FilterNormals, OfPointsSharedAcrossASharpEdgeAreSaid)
+{
+  const std::string note = "are shared by facets that meet at more than 75 degrees";
+  vtkSmartPointer<vtkPolyData> room = RandomRoom(1).Data(true, false);
+  this->Filter->SetLampType(vtkIlluminationMap::POINT);
+  this->Filter->SetLampPosition(0.0, 0.0, 0.0);
+  this->Filter->SetInputData(room);
+  this->ExpectMap();
+  // All points on the box's edges, 4 cells long: 8 corners and 3 between, on each of 12 edges.
+  EXPECT_NE(this->Notes().find("44 points, the first being point 0, " + note), std::string::npos)
+    << this->Notes();
+  this->Filter->SetInputData(RandomRoom(1).Data(true, true)); // the same with smooth normals
+  this->ExpectMap();
+  EXPECT_EQ(this->Notes().find("44 points"), 0u) << this->Notes();
+
+  vtkNew<vtkPolyDataNormals> cure; // which the note names
+  cure->SetInputData(room);
+  cure->SplittingOn();
+  cure->Update();
+  this->Filter->SetInputData(cure->GetOutput());
+  this->ExpectMap();
+  EXPECT_EQ(this->Notes(), "");
+}
+
+TEST_F(FilterNormals, OfCoarseSmoothShapesAreNoSharpEdges)
+{
+  for (const double steepest : { 70.0, 80.0 }) // a column of which two sides meet at this angle
+  {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkDoubleArray> normals;
+    normals->SetNumberOfComponents(3);
+    const double half = steepest * std::acos(-1.0) / 360.0;
+    for (const double y : { 0.0, 1.0 })
+    {
+      points->InsertNextPoint(-std::cos(half), y, -std::sin(half));
+      points->InsertNextPoint(0.0, y, 0.0);
+      points->InsertNextPoint(std::cos(half), y, -std::sin(half));
+      for (int i = 0; i < 3; ++i)
+      {
+        normals->InsertNextTuple3(0.0, 0.0, 1.0);
+      }
+    }
+    vtkNew<vtkCellArray> squares;
+    squares->InsertNextCell({ 0, 1, 4, 3 });
+    squares->InsertNextCell({ 1, 2, 5, 4 });
+    this->Surface = vtkSmartPointer<vtkPolyData>::New();
+    this->Surface->SetPoints(points);
+    this->Surface->SetPolys(squares);
+    this->Surface->GetPointData()->SetNormals(normals);
+    this->Filter->SetInputData(this->Surface);
+    this->ExpectMap();
+    EXPECT_EQ(this->Notes().empty(), steepest < 75.0) << this->Notes();
   }
 }

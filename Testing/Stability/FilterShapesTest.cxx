@@ -261,9 +261,10 @@ TEST_F(FilterShapes, PolygonThatCannotBeCutIsNoted)
   AddCell(this->Cells->GetPolys(), this->AddPoints(holeJoinedToItsOutline));
   this->Filter->SetLampType(vtkIlluminationMap::PARALLEL);
   this->ExpectMap();
-  EXPECT_NE(
-    this->Notes().find("3 polygons, the first being cell 1, cross or touch themselves or have no "
-                       "area: they were left out, at least in part"),
-    std::string::npos)
-    << this->Notes();
+  for (const char* note : { "2 polygons, the first being cell 1, cross or touch themselves: they "
+                            "were left out, at least in part\n",
+         "1 triangles or polygons, the first being cell 2, have no area and were left out\n" })
+  {
+    EXPECT_NE(this->Notes().find(note), std::string::npos) << this->Notes();
+  }
 }

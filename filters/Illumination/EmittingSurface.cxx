@@ -2,15 +2,16 @@
 #include "EmittingSurface.h"
 
 #include "CellValues.h"
+#include "InputChecks.h"
 #include "SceneBlocks.h"
-#include "SurfaceTriangles.h"
+
+#include "PhotonTransport/scene/FacetSide.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
@@ -18,6 +19,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -56,22 +58,6 @@ std::vector<glm::uvec3> FacetsOf(vtkPolyData* mesh)
   return facets;
 }
 
-/// Points that no facet uses may be anywhere.
-void RequireFinitePoints(const EmittingMesh& mesh)
-{
-  for (const glm::uvec3& facet : mesh.facets)
-  {
-    for (const std::uint32_t p : { facet.x, facet.y, facet.z })
-    {
-      const glm::dvec3& point = mesh.points[p];
-      if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))
-      {
-        throw InputError("point " + std::to_string(p) + ": its coordinates are not finite");
-      }
-    }
-  }
-}
-
 /// Of twice the facet's area, to the side round which its corners run counter-clockwise.
 glm::dvec3 AreaVector(const EmittingMesh& mesh, const glm::uvec3& facet)
 {
@@ -79,19 +65,25 @@ glm::dvec3 AreaVector(const EmittingMesh& mesh, const glm::uvec3& facet)
   return glm::cross(mesh.points[facet.y] - a, mesh.points[facet.z] - a);
 }
 
-void TurnToNormals(EmittingMesh& mesh, vtkDataArray* normals)
+void TurnToNormals(
+  EmittingMesh& mesh, vtkDataArray* normals, const std::vector<vtkIdType>& cellOfFacet)
 {
-  for (glm::uvec3& facet : mesh.facets)
+  for (std::size_t f = 0; f < mesh.facets.size(); ++f)
   {
-    glm::dvec3 front(0.0);
-    for (const std::uint32_t p : { facet.x, facet.y, facet.z })
+    glm::uvec3& facet = mesh.facets[f];
+    std::array<glm::dvec3, 3> corners;
+    for (int corner = 0; corner < 3; ++corner)
     {
-      glm::dvec3 normal;
-      normals->GetTuple(p, &normal.x);
-      vtkMath::Normalize(&normal.x);
-      front += normal;
+      normals->GetTuple(facet[corner], &corners[static_cast<std::size_t>(corner)].x);
     }
-    if (glm::dot(front, AreaVector(mesh, facet)) < 0.0)
+    const FacetSide side = SideOf(AreaVector(mesh, facet), corners);
+    if (side.undecided)
+    {
+      throw InputError("the point normals of cell " + std::to_string(cellOfFacet[f]) +
+        " lie in its own plane or cancel, so they do not tell to which side it shines; compute "
+        "them anew or remove them");
+    }
+    if (side.turned)
     {
       std::swap(facet.y, facet.z);
     }
@@ -124,30 +116,28 @@ std::optional<Luminaire> ReadEmittingSurface(vtkPolyData* data)
   {
     return std::nullopt;
   }
-  RequireValidCells(data, "");
   vtkDataArray* normals = CheckedNormals(data, "");
-  const auto triangles = Triangles(data, nullptr);
+  const SurfaceTriangles triangles = TrianglesOf(data, nullptr, "");
 
   SceneBlock block;
   block.data = data;
-  block.cellOfFacet = CellsOfTriangles(triangles);
+  block.cellOfFacet = CellsOfTriangles(triangles.mesh);
   const CellValues checked(block, Exitance, { "exitance", VTK_FLOAT_MAX });
   if (block.cellOfFacet.empty())
   {
-    throw InputError("a surface with a cell array 'Exitance' has no polygons or triangle strips");
+    throw InputError("a surface with a cell array 'Exitance' has no polygons or triangle strips "
+                     "with an area to shine");
   }
-  const UncutPolygons uncut = FindUncut(data, block.cellOfFacet);
-  if (uncut.number > 0)
+  if (triangles.uncut.number > 0)
   {
-    throw InputError("cell " + std::to_string(uncut.first) +
-      " crosses or touches itself or has no area, so its Exitance gives no flux");
+    throw InputError("cell " + std::to_string(triangles.uncut.first) +
+      " crosses or touches itself, so its Exitance gives no flux");
   }
 
-  EmittingMesh mesh{ PointsOf(triangles), FacetsOf(triangles), {} };
-  RequireFinitePoints(mesh);
+  EmittingMesh mesh{ PointsOf(triangles.mesh), FacetsOf(triangles.mesh), {} };
   if (normals)
   {
-    TurnToNormals(mesh, normals);
+    TurnToNormals(mesh, normals, block.cellOfFacet);
   }
   vtkDataArray* exitance = data->GetCellData()->GetArray(Exitance);
   glm::dvec3 light(0.0);

@@ -3,6 +3,7 @@
 
 #include "FieldArrays.h"
 #include "LuminaireFields.h"
+#include "MeshNotes.h"
 #include "MissingLight.h"
 #include "PointMapping.h"
 #include "SceneBlocks.h"
@@ -251,39 +252,22 @@ void FillAccuracyTable(vtkTable* table, const std::vector<Accuracy>& rounds)
 
 std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTransport::Scene& scene)
 {
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = NotesOnMesh(blocks, scene.Notes());
+  if (blocks.BlocksNotPolygonal() > 0)
+  {
+    notes.push_back(std::to_string(blocks.BlocksNotPolygonal()) +
+      " blocks are not polygonal and were passed through unlit");
+  }
   for (const SceneBlock& block : blocks.Blocks())
   {
-    if (block.normalsWereComputed)
-    {
-      notes.push_back("the points" + block.name + " had no normals; they were computed");
-    }
     if (HasLuminaireFields(block.data->GetFieldData()))
     {
       notes.push_back("the surface" + block.name +
         " is, or was appended to, a luminaire: it stops light like any other surface, and shines "
         "only if it is connected to Luminaires");
     }
-    if (block.uncut.number > 0)
-    {
-      notes.push_back(std::to_string(block.uncut.number) + " polygons, the first being cell " +
-        std::to_string(block.uncut.first) + block.name +
-        ", cross or touch themselves or have no area: they were left out, at least in part");
-    }
   }
-  const auto count = [&](std::size_t number, const std::string& what)
-  {
-    if (number > 0)
-    {
-      notes.push_back(std::to_string(number) + " " + what);
-    }
-  };
   const PhotonTransport::SceneNotes& found = scene.Notes();
-  count(found.replacedNormals,
-    "point normals were zero or not finite; the mean of the facets around the point stands in");
-  count(found.turnedFacets,
-    "triangles wind against their point normals; the normals decide which side is the front");
-  count(found.droppedFacets, "triangles have no area and were left out");
   if (found.thinGaps.unresolved > 0)
   {
     notes.push_back(std::to_string(found.thinGaps.unresolved) + " triangles, the first being of " +
@@ -295,7 +279,6 @@ std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTranspor
   {
     notes.push_back(ThinGapsNote(found.thinGaps, blocks));
   }
-  count(blocks.BlocksNotPolygonal(), "blocks are not polygonal and were passed through unlit");
   return notes;
 }
 

@@ -11,6 +11,8 @@
 #include "vtkPolyData.h"
 
 #include <array>
+#include <cmath>
+#include <sstream>
 #include <utility>
 
 namespace
@@ -25,22 +27,6 @@ void RequireConsistency(vtkCellArray* cells, const std::string& what)
       " contradict themselves: their offsets do not rise from 0 to " +
       std::to_string(cells->GetNumberOfConnectivityIds()) + ", the number of their point ids");
   }
-}
-
-/// Corners that are not where the one before them is.
-vtkIdType CornersInDifferentPlaces(vtkPolyData* data, vtkIdType size, const vtkIdType* ids)
-{
-  vtkIdType corners = 0;
-  std::array<double, 3> before{};
-  data->GetPoint(ids[size - 1], before.data());
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    std::array<double, 3> here{};
-    data->GetPoint(ids[i], here.data());
-    corners += here != before;
-    before = here;
-  }
-  return corners;
 }
 
 } // namespace
@@ -73,6 +59,23 @@ void RequireValidCells(vtkPolyData* data, const std::string& block)
             std::to_string(ids[i]) + " of " + std::to_string(points));
         }
       }
+    }
+  }
+}
+
+void RequireFiniteCorners(vtkPolyData* data, vtkIdType size, const vtkIdType* corners,
+  vtkIdType cell, const std::string& block)
+{
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    std::array<double, 3> x{};
+    data->GetPoint(corners[i], x.data());
+    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+    {
+      std::ostringstream message;
+      message << "point " << corners[i] << block << ": its coordinates (" << x[0] << ", " << x[1]
+              << ", " << x[2] << "), which cell " << cell << " uses, are not finite";
+      throw InputError(message.str());
     }
   }
 }
@@ -133,29 +136,4 @@ vtkDataArray* CheckedCellArray(
       std::to_string(data->GetNumberOfCells()) + " cells");
   }
   return array;
-}
-
-UncutPolygons FindUncut(vtkPolyData* data, const std::vector<vtkIdType>& cellOfTriangle)
-{
-  std::vector<vtkIdType> triangles(static_cast<std::size_t>(data->GetNumberOfCells()), 0);
-  for (const vtkIdType cell : cellOfTriangle)
-  {
-    ++triangles[static_cast<std::size_t>(cell)];
-  }
-  UncutPolygons uncut;
-  vtkIdType cell = data->GetNumberOfVerts() + data->GetNumberOfLines();
-  auto it = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell(), ++cell)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    it->GetCurrentCell(size, ids);
-    const vtkIdType found = triangles[static_cast<std::size_t>(cell)];
-    // Only then the slower look, which corners that repeat the one before pass.
-    if (found < size - 2 && found < CornersInDifferentPlaces(data, size, ids) - 2)
-    {
-      uncut.first = uncut.number++ == 0 ? cell : uncut.first;
-    }
-  }
-  return uncut;
 }

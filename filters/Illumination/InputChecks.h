@@ -15,6 +15,11 @@ class vtkPolyData;
 /// @param block How messages name the data: " of block 2", or "".
 void RequireValidCells(vtkPolyData* data, const std::string& block);
 
+/// Throws InputError, which names the point and the cell, for a corner whose coordinates are not
+/// all finite: VTK's filters would cut a hole or compute no number.
+void RequireFiniteCorners(vtkPolyData* data, vtkIdType size, const vtkIdType* corners,
+  vtkIdType cell, const std::string& block);
+
 /// Point normals as the pipeline marks them, or else the point array of that name; null if there is
 /// neither. Throws InputError if it does not hold three numbers a point.
 vtkDataArray* CheckedNormals(vtkPolyData* data, const std::string& block);
@@ -23,16 +28,5 @@ vtkDataArray* CheckedNormals(vtkPolyData* data, const std::string& block);
 /// component or, where allowed, three.
 vtkDataArray* CheckedCellArray(
   vtkPolyData* data, const std::string& name, const std::string& block, bool threeAllowed = true);
-
-/// Polygons that were not cut into all the triangles they should give.
-struct UncutPolygons
-{
-  std::size_t number = 0;
-  vtkIdType first = -1; ///< Cell id.
-};
-
-/// A polygon of n corners gives n - 2 triangles unless it crosses or touches itself or has no area,
-/// which VTK does not tell. @param cellOfTriangle For each triangle the cell it was cut from.
-UncutPolygons FindUncut(vtkPolyData* data, const std::vector<vtkIdType>& cellOfTriangle);
 
 #endif

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapBlocks.h"
 
-#include "InputChecks.h"
+#include "GhostPoints.h"
 #include "SceneBlocks.h"
+#include "SurfaceTriangles.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkTriangleFilter.h"
 
 #include <algorithm>
 
@@ -69,20 +68,13 @@ MapBlocks::MapBlocks(vtkDataObject* data)
   {
     throw InputError("the input has no polygons or triangle strips with a map to smooth");
   }
+  this->FindOwners();
 }
 
 void MapBlocks::Append(vtkPolyData* data, const std::string& name)
 {
-  RequireValidCells(data, name);
-  vtkNew<vtkPolyData> bare;
-  bare->CopyStructure(data);
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(bare);
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
-  triangles->Update();
-  vtkCellArray* cells = triangles->GetOutput()->GetPolys();
-  if (cells->GetNumberOfCells() == 0)
+  const SurfaceTriangles triangles = TrianglesOf(data, nullptr, name);
+  if (!HasSurface(data))
   {
     return;
   }
@@ -94,7 +86,7 @@ void MapBlocks::Append(vtkPolyData* data, const std::string& name)
     data->GetPoint(p, &point.x);
     this->AllPoints.push_back(point);
   }
-  auto it = vtk::TakeSmartPointer(cells->NewIterator());
+  auto it = vtk::TakeSmartPointer(triangles.mesh->GetPolys()->NewIterator());
   for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
   {
     vtkIdType size = 0;
@@ -102,6 +94,25 @@ void MapBlocks::Append(vtkPolyData* data, const std::string& name)
     it->GetCurrentCell(size, ids);
     this->AllFacets.emplace_back(offset + static_cast<unsigned>(ids[0]),
       offset + static_cast<unsigned>(ids[1]), offset + static_cast<unsigned>(ids[2]));
+  }
+}
+
+void MapBlocks::FindOwners()
+{
+  std::vector<std::pair<vtkPolyData*, std::string>> blocks;
+  for (const Block& block : this->Parts)
+  {
+    blocks.emplace_back(block.data, block.name);
+  }
+  const std::vector<GhostPoints> ghosts = FindGhostPoints(blocks);
+  for (std::size_t b = 0; b < ghosts.size(); ++b)
+  {
+    for (const GhostPoint& ghost : ghosts[b].owned)
+    {
+      this->OwnerOfGhost.emplace_back(
+        this->Parts[b].firstPoint + static_cast<std::size_t>(ghost.point),
+        this->Parts[ghost.ownerBlock].firstPoint + static_cast<std::size_t>(ghost.owner));
+    }
   }
 }
 

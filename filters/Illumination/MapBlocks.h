@@ -10,14 +10,15 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkDataArray;
 class vtkDataObject;
 class vtkPolyData;
 
-/// The polygonal blocks of a data object as one list of points with their triangles, and the point
-/// arrays on them.
+/// The polygonal blocks of a data object as one list of points with their triangles
+/// (SurfaceTriangles), and the point arrays on them.
 class MapBlocks
 {
 public:
@@ -36,6 +37,16 @@ public:
   const std::vector<glm::uvec3>& Facets() const { return this->AllFacets; }
   /// "point 7 of block 2".
   std::string NameOfPoint(std::size_t point) const;
+
+  /// Gives ghost points, one value for each of all points, what their owners have.
+  template <typename Value>
+  void CopyToGhosts(std::vector<Value>& values) const
+  {
+    for (const auto& [ghost, owner] : this->OwnerOfGhost)
+    {
+      values[ghost] = values[owner];
+    }
+  }
 
   /// Whether all blocks have a point array of the name.
   bool Have(const std::string& array) const;
@@ -58,12 +69,14 @@ public:
 
 private:
   void Append(vtkPolyData* data, const std::string& name);
+  void FindOwners();
   void ForEachTuple(const std::string& array, int components,
     const std::function<void(std::size_t point, vtkDataArray* array, vtkIdType tuple)>& f) const;
 
   std::vector<Block> Parts;
   std::vector<glm::dvec3> AllPoints;
   std::vector<glm::uvec3> AllFacets;
+  std::vector<std::pair<std::size_t, std::size_t>> OwnerOfGhost; ///< Of points.
 };
 
 #endif

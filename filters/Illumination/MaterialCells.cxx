@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialCells.h"
 
+#include "GhostCells.h"
 #include "InputChecks.h"
 #include "MaterialArrays.h"
 #include "SceneBlocks.h"
@@ -170,10 +171,15 @@ void WriteMaterial(vtkPolyData* data, const std::string& block, const std::vecto
     values[i] = Copy(data, block, Arrays[i]);
   }
   const Numbers wanted = NumbersOf(material);
+  const GhostCells ghosts(data, block);
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
     if (!chosen[static_cast<std::size_t>(cell)])
     {
+      if (ghosts.IsGhost(cell))
+      {
+        continue; // never looked at, whatever it holds
+      }
       const Numbers kept = NumbersOf(values, cell);
       RequireValid(kept, "cell " + std::to_string(cell) + block + ": ");
       continue;

@@ -9,7 +9,8 @@
 #include <vector>
 
 /// Carries values from the scene's vertices to a block's points. A point whose normals were split
-/// has several vertices: it gets their mean by area, which keeps the flux, sum A E.
+/// has several vertices: it gets their mean by area, which keeps the flux, sum A E. A ghost point
+/// has the vertices of its owner.
 class PointMapping
 {
 public:
@@ -28,7 +29,15 @@ public:
   {
     for (std::size_t v = 0; v < this->Block.pointOfVertex.size(); ++v)
     {
-      f(this->Block.firstVertex + v, static_cast<std::size_t>(this->Block.pointOfVertex[v]));
+      const auto point = static_cast<std::size_t>(this->Block.pointOfVertex[v]);
+      if (this->Block.borrows.empty() || !this->Block.borrows[point])
+      {
+        f(this->Block.firstVertex + v, point);
+      }
+    }
+    for (const BorrowedVertex& borrowed : this->Block.borrowed)
+    {
+      f(borrowed.vertex, borrowed.point);
     }
   }
 

@@ -2,7 +2,7 @@
 #ifndef SceneBlocks_h
 #define SceneBlocks_h
 
-#include "InputChecks.h"
+#include "SurfaceTriangles.h"
 
 #include "PhotonTransport/scene/Surface.h"
 
@@ -23,6 +23,13 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// A vertex of the scene whose values a ghost point gets, too.
+struct BorrowedVertex
+{
+  std::size_t vertex; ///< Of the scene.
+  std::size_t point;  ///< Of the block.
+};
+
 /// One vtkPolyData of the scene and where its parts went in the Surface.
 struct SceneBlock
 {
@@ -33,7 +40,13 @@ struct SceneBlock
   std::vector<vtkIdType> pointOfVertex; ///< A point has more than one where normals were split.
   std::vector<vtkIdType> cellOfFacet;
   bool normalsWereComputed = false;
-  UncutPolygons uncut;
+  LeftOut ghosts;                       ///< As SurfaceTriangles says.
+  LeftOut withoutArea;                  ///< Likewise.
+  LeftOut uncut;                        ///< Likewise.
+  std::vector<BorrowedVertex> borrowed; ///< Of the block's ghost points.
+  std::vector<bool> borrows;            ///< Which points have a borrowed one; or empty.
+  std::size_t ownerlessGhosts = 0;      ///< Points: see GhostPoints.
+  vtkIdType firstOwnerlessGhost = -1;
 };
 
 /// What the arrays and properties say about the surface.
@@ -55,6 +68,7 @@ public:
   SceneBlocks(vtkDataObject* data, const SurfaceDescription& description);
 
   const PhotonTransport::Surface& Surface() const { return this->All; }
+  /// All with polygons or strips; those without a triangle in the scene come last.
   const std::vector<SceneBlock>& Blocks() const { return this->Parts; }
   std::size_t BlocksNotPolygonal() const { return this->OtherBlocks; }
 
@@ -64,9 +78,15 @@ public:
 
 private:
   void Append(SceneBlock block, const SurfaceDescription& description);
+  void AddVertices(vtkPolyData* mesh);
+  void AddFacets(vtkPolyData* mesh, std::size_t firstVertex);
+  void AddExitance(const SceneBlock& block, const std::string& array);
+  void AppendUnlit();
+  void LendVertices();
 
   PhotonTransport::Surface All;
   std::vector<SceneBlock> Parts;
+  std::vector<SceneBlock> Unlit; ///< Until all others are known.
   std::size_t OtherBlocks = 0;
 };
 

@@ -6,14 +6,44 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <string>
 #include <vector>
 
 class vtkDataArray;
 class vtkPolyData;
 
-/// The triangles alone, of valid cells (RequireValidCells), wound as their cells are.
-/// @param normals Point normals to keep, or null.
-vtkSmartPointer<vtkPolyData> Triangles(vtkPolyData* data, vtkDataArray* normals);
+/// Cells, or parts of cells, that are no part of the scene.
+struct LeftOut
+{
+  std::size_t number = 0;
+  vtkIdType first = -1; ///< Cell id.
+  void Add(vtkIdType cell, std::size_t count = 1)
+  {
+    this->first = this->number == 0 ? cell : std::min(this->first, cell);
+    this->number += count;
+  }
+};
+
+/// The triangles of a block, wound as their cells are, and what was left out.
+struct SurfaceTriangles
+{
+  /// All points of the block, and the triangles that have an area; other filters never see the
+  /// rest, whose edges and directions would spoil what they compute.
+  vtkSmartPointer<vtkPolyData> mesh;
+  LeftOut ghosts;      ///< Cells; see GhostCells.
+  LeftOut withoutArea; ///< Triangles whose corners lie on a line; see PhotonTransport::HasArea.
+  LeftOut uncut;       ///< Polygons that cross or touch themselves and miss triangles.
+};
+
+/// Throws InputError for cells that are not valid (RequireValidCells) and for a corner that is not
+/// finite. @param normals Point normals to keep, or null. @param block How messages name the data:
+/// " of block 2", or "".
+SurfaceTriangles TrianglesOf(vtkPolyData* data, vtkDataArray* normals, const std::string& block);
+
+/// Whether there is any cell that TrianglesOf looks at.
+bool HasSurface(vtkPolyData* data);
 
 /// For each triangle the cell it comes from, for each point the one of the input; they survive
 /// filters that split points.

@@ -12,7 +12,9 @@
  * The input is a vtkPolyData, or a composite data set whose vtkPolyData blocks form one scene
  * together. Polygons and strips count as the triangles they are made of; vertices and lines stay
  * unlit. Point normals say which side of the surface is the front; without them they are computed
- * as vtkPolyDataNormals does.
+ * as vtkPolyDataNormals does. Facets without area change nothing. Cells that vtkGhostType marks as
+ * duplicate, refined or hidden are not part of the scene; duplicate points get the values of their
+ * owners, points of the input in the same place that face the same way.
  *
  * The output is the input, untouched, with these point arrays (double):
  *  - Illuminance (lx = lm/m^2): what arrives on the front; IlluminanceDirect + IlluminanceIndirect.

@@ -81,8 +81,9 @@ Maps ReadMaps(const MapBlocks& blocks, const std::string& map, const std::string
 void AddMaps(const MapBlocks& blocks, const std::string& name, const Maps& maps,
   const std::vector<FilteredMap>& filtered)
 {
-  const auto add = [&](const std::string& array, const auto& values)
+  const auto add = [&](const std::string& array, auto values)
   {
+    blocks.CopyToGhosts(values);
     blocks.ForEachPart(values,
       [&](const MapBlocks::Block& block, const auto& own)
       { AddArray(block.data->GetPointData(), array.c_str(), own); });

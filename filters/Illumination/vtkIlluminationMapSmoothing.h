@@ -16,6 +16,9 @@
  * too, noise is guessed from the map's roughness, which takes fine detail for noise. The field
  * array SmoothingNotes says which it was.
  *
+ * Facets without area and ghost cells are not part of the surface, as in vtkIlluminationMap, and
+ * duplicate points get the values of their owners.
+ *
  * The output is the input, untouched, with these point arrays, after the name of IlluminanceArray:
  *  - IlluminanceSmoothed (lx); IlluminanceDirectSmoothed and IlluminanceIndirectSmoothed (lx),
  *    which add up to it, where the parts were smoothed.

@@ -2,6 +2,7 @@
 #include "PhotonTransport/scene/Scene.h"
 
 #include "PhotonTransport/scene/DoubleSheets.h"
+#include "PhotonTransport/scene/FacetSide.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 
 #include <glm/common.hpp>
@@ -25,19 +26,6 @@ constexpr float NoTilt = 1e-4f;
 
 /// Cosine above which two planes that close are one.
 constexpr float SameSheet = 0.999f;
-
-/// Unit length, or zero for a normal that says nothing.
-glm::dvec3 UsableNormal(const glm::dvec3& normal)
-{
-  const double largest =
-    std::max({ std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z) });
-  // max() may drop a NaN, the sum does not.
-  if (!(largest > 0.0) || !std::isfinite(normal.x + normal.y + normal.z))
-  {
-    return glm::dvec3(0.0);
-  }
-  return glm::normalize(normal / largest); // no overflow at 1e200, no underflow at 1e-200
-}
 
 std::vector<glm::vec3> ScenePositions(const Surface& surface, const Placement& placement)
 {
@@ -123,15 +111,16 @@ void Scene::AddFacets(const Surface& surface, const std::vector<glm::vec3>& posi
       ++this->Found.droppedFacets;
       continue;
     }
-    glm::dvec3 front(0.0);
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      front += UsableNormal(surface.normals[ids[corner]]);
-    }
-    if (glm::dot(front, areaVector) < 0.0)
+    const FacetSide side = SideOf(
+      areaVector, { surface.normals[ids.x], surface.normals[ids.y], surface.normals[ids.z] });
+    if (side.turned)
     {
       areaVector = -areaVector;
       ++this->Found.turnedFacets;
+    }
+    if (side.undecided)
+    {
+      this->Found.undecidedFacets.Add(f);
     }
     const float reflectance = surface.materials.empty()
       ? surface.reflectance[f]
@@ -255,12 +244,7 @@ Vertex Scene::MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const g
     return { position, glm::vec3(0.0f), glm::vec3(0.0f), 2.0f, 0.0f };
   }
 
-  glm::dvec3 normal = givenNormal;
-  if (normal == glm::dvec3(0.0))
-  {
-    ++this->Found.replacedNormals;
-    normal = UsableNormal(areaVectors);
-  }
+  const glm::dvec3 normal = this->NormalOfUse(v, givenNormal, areaVectors);
   double leastCosine = 1.0;
   for (const std::uint32_t f : this->VertexRings.Of(v))
   {
@@ -273,6 +257,31 @@ Vertex Scene::MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const g
   this->Found.tiltedVertices += !flat;
   return { position, glm::vec3(normal), glm::vec3(areaVectors / areas),
     flat ? -1.0f : static_cast<float>(sinTilt), static_cast<float>(1.0 / areas) };
+}
+
+/// The given normal, or, where it does not tell a front, that of the ring's fronts.
+glm::dvec3 Scene::NormalOfUse(
+  std::uint32_t v, const glm::dvec3& givenNormal, const glm::dvec3& areaVectors)
+{
+  const Range<std::uint32_t> ring = this->VertexRings.Of(v);
+  if (givenNormal == glm::dvec3(0.0))
+  {
+    ++this->Found.replacedNormals;
+  }
+  else if (std::all_of(ring.begin(), ring.end(),
+             [&](std::uint32_t f)
+             {
+               const glm::dvec3 area(this->FacetAreas[f]);
+               return std::fabs(glm::dot(givenNormal, area)) <= InPlane * glm::length(area);
+             }))
+  {
+    this->Found.inPlaneNormals.Add(v);
+  }
+  else
+  {
+    return givenNormal;
+  }
+  return UsableNormal(areaVectors);
 }
 
 void Scene::BuildBvh(std::vector<glm::vec3> positions)

@@ -69,12 +69,22 @@ struct alignas(16) RingAreas
   float x[4], y[4], z[4];
 };
 
+/// Something that was found at places of the surface.
+struct Finding
+{
+  std::size_t number = 0;
+  std::size_t first = 0; ///< Index in the Surface.
+  void Add(std::size_t index) { this->first = this->number++ == 0 ? index : this->first; }
+};
+
 /// What was found in the surface and mended while it was prepared.
 struct SceneNotes
 {
   std::size_t turnedFacets = 0;    ///< Winding against the normals; turned for the sides.
   std::size_t droppedFacets = 0;   ///< No area that a float can hold: they can't be hit.
   std::size_t replacedNormals = 0; ///< Zero or not finite: the ring's mean normal instead.
+  Finding undecidedFacets;         ///< Normals do not tell the front (FacetSide): winding does.
+  Finding inPlaneNormals;          ///< Of points, in the plane of all their facets: replaced too.
   std::size_t tiltedVertices = 0;  ///< Normal differs from some facet's around it.
   /// Facets that scatter light in each way, by Scattering.
   std::array<std::size_t, Scatterings> scatteringFacets{};
@@ -177,6 +187,8 @@ private:
   void ReserveRingAreas(std::size_t vertices);
   void AddRingAreas(std::uint32_t vertex);
   Vertex MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const glm::vec3& position);
+  glm::dvec3 NormalOfUse(
+    std::uint32_t v, const glm::dvec3& givenNormal, const glm::dvec3& areaVectors);
   void FindDoubleSheets();
   bool FindFront(const Ray& ray, Hit& hit) const;
   std::vector<FacetPart> PartsOfLargeFacets(const std::vector<glm::vec3>& positions) const;
