@@ -24,8 +24,7 @@ std::vector<std::uint8_t> FacetsOfDoubleSheets(
       if (!alike)
       {
         marked.resize(planes.size(), 0);
-        std::for_each(
-          first, last, [&](const PlaneMember& member) { marked[member.facet] = 1; });
+        std::for_each(first, last, [&](const PlaneMember& member) { marked[member.facet] = 1; });
       }
     });
   return marked;

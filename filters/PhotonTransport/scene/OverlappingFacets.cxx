@@ -79,8 +79,8 @@ public:
     for (std::uint32_t t = 0; t < triangles.size(); ++t)
     {
       const glm::uvec3& corners = this->Places.facets[triangles[t].facet];
-      const int outside = (this->Sums[corners.x] != 0) + (this->Sums[corners.y] != 0) +
-        (this->Sums[corners.z] != 0);
+      const int outside =
+        (this->Sums[corners.x] != 0) + (this->Sums[corners.y] != 0) + (this->Sums[corners.z] != 0);
       if (outside > 1)
       {
         found.push_back(t);
@@ -137,9 +137,7 @@ private:
       }
     }
     const auto byPlace = [&](std::uint32_t p, std::uint32_t q)
-    {
-      return this->Numbers[p] != this->Numbers[q] ? this->Numbers[p] < this->Numbers[q] : p < q;
-    };
+    { return this->Numbers[p] != this->Numbers[q] ? this->Numbers[p] < this->Numbers[q] : p < q; };
     std::sort(open.begin(), open.end(), byPlace);
     open.erase(std::unique(open.begin(), open.end()), open.end());
     for (auto first = open.begin(); first != open.end();)
@@ -244,8 +242,8 @@ private:
             [&](std::uint32_t j)
             {
               return j != i &&
-                (Meet(triangle, this->Triangles[j]) || this->AreCopies(triangle.facet,
-                                                         this->Triangles[j].facet));
+                (Meet(triangle, this->Triangles[j]) ||
+                  this->AreCopies(triangle.facet, this->Triangles[j].facet));
             }))
       {
         return true;

@@ -176,8 +176,9 @@ glm::vec2 TriangleGrid::SpanIn(const PlaneTriangle& triangle, int row) const
     {
       continue;
     }
-    const auto at = [&](float y)
-    { return b.y > a.y ? a.x + std::clamp((y - a.y) / (b.y - a.y), 0.0f, 1.0f) * (b.x - a.x) : a.x; };
+    const auto at = [&](float y) {
+      return b.y > a.y ? a.x + std::clamp((y - a.y) / (b.y - a.y), 0.0f, 1.0f) * (b.x - a.x) : a.x;
+    };
     const float x1 = at(std::max(bottom, a.y));
     const float x2 = b.y > a.y ? at(std::min(top, b.y)) : b.x;
     span.x = std::min({ span.x, x1, x2 });
