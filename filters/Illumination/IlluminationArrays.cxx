@@ -249,6 +249,40 @@ void FillAccuracyTable(vtkTable* table, const std::vector<Accuracy>& rounds)
   column("PredictedSeconds", [](const Accuracy& row) { return row.predictedSeconds; });
 }
 
+namespace
+{
+
+/// "12 triangles WHAT, such as those of cell 3 and cell 7 (on 0.5 m^2): WHY"; nothing if there are
+/// none.
+void AddSharedPlaces(std::vector<std::string>& lines, const SceneBlocks& blocks,
+  const PhotonTransport::SharedPlaceNote& note, const std::string& what, const std::string& why)
+{
+  if (note.facets > 0)
+  {
+    std::ostringstream line;
+    line << note.facets << (note.facets == 1 ? " triangle " : " triangles ") << what
+         << ", such as those of " << blocks.NameOfFacet(note.first) << " and "
+         << blocks.NameOfFacet(note.second) << " (on " << note.squareMetres << " m^2): " << why;
+    lines.push_back(line.str());
+  }
+}
+
+} // namespace
+
+std::vector<std::string> WarningsOnSharedPlaces(
+  const SceneBlocks& blocks, const PhotonTransport::Scene& scene)
+{
+  const PhotonTransport::SharedPlaceNotes& found = scene.Notes().sharedPlaces;
+  std::vector<std::string> warnings;
+  AddSharedPlaces(warnings, blocks, found.unlikeMaterials,
+    "lie in the place of others that face the same way and have another material",
+    "the material of the later cell counts there. Remove one of the two, or move it");
+  AddSharedPlaces(warnings, blocks, found.shineToo,
+    "shine where others shine that face the same way",
+    "the light of both is emitted there. Remove one of the two, or set its exitance to 0");
+  return warnings;
+}
+
 std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTransport::Scene& scene)
 {
   std::vector<std::string> notes;
@@ -294,6 +328,17 @@ std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTranspor
   if (found.thinGaps.number > 0)
   {
     notes.push_back(ThinGapsNote(found.thinGaps, blocks));
+  }
+  const PhotonTransport::SharedPlaceNotes& shared = found.sharedPlaces;
+  AddSharedPlaces(notes, blocks, shared.copies,
+    "are copies of others, with the same corners and facing the same way",
+    "they count once, and the points of all copies get the whole light");
+  AddSharedPlaces(notes, blocks, shared.inPart,
+    "overlap others in their plane that face the same way",
+    "each gets the whole light, and the material of the later cell counts");
+  for (const std::string& warning : WarningsOnSharedPlaces(blocks, scene))
+  {
+    notes.push_back(warning);
   }
   count(blocks.BlocksNotPolygonal(), "blocks are not polygonal and were passed through unlit");
   return notes;

@@ -34,6 +34,10 @@ void AddMemoryNeeded(vtkFieldData* output, std::uint64_t bytes);
 /// A row for each round.
 void FillAccuracyTable(vtkTable* table, const std::vector<PhotonTransport::Accuracy>& rounds);
 
+/// What the user should know at once: facets in one place of which one only can be right.
+std::vector<std::string> WarningsOnSharedPlaces(
+  const SceneBlocks& blocks, const PhotonTransport::Scene& scene);
+
 /// What was found in the input and mended, in words; empty if nothing was.
 std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTransport::Scene& scene);
 

@@ -277,6 +277,10 @@ void vtkIlluminationMap::Trace(
     AddFieldData(output->GetFieldData(), run, reason, notes);
     AddMemoryNeeded(output->GetFieldData(), need);
     FillAccuracyTable(accuracy, run.Rounds());
+    for (const std::string& warning : WarningsOnSharedPlaces(blocks, this->Kept->Scene))
+    {
+      vtkWarningMacro(<< warning);
+    }
     if (!missing.warning.empty())
     {
       vtkWarningMacro(<< missing.warning);
