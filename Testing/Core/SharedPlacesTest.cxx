@@ -84,7 +84,7 @@ TEST(SharedPlaces, NeighboursShareNone)
          Shapes::Disk(1.0, 0.0, 200, 1, true),
          Shapes::Together(Patch(0.0, 0.0, 0.5, 1.0, 7), Patch(0.5, 0.0, 0.5, 1.0, 12)) })
   {
-    const SharedPlaceNotes& notes = Scene(surface).Notes().sharedPlaces;
+    const SharedPlaceNotes notes = Scene(surface).Notes().sharedPlaces;
     EXPECT_EQ(notes.copies.facets + notes.inPart.facets, 0u) << surface.facets.size();
   }
 }
