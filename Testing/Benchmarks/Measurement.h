@@ -117,7 +117,7 @@ struct KeepHit
 {
   Segment& segment;
   void operator()(const PhotonTransport::Ray&, const PhotonTransport::Hit&, bool front,
-    const PhotonTransport::PhotonOrigin& origin) const
+    const PhotonTransport::PhotonOrigin& origin, unsigned = PhotonTransport::AllCorners) const
   {
     this->segment.front = front;
     this->segment.direct = origin.direct;

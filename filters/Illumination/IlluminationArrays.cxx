@@ -7,6 +7,7 @@
 #include "MissingLight.h"
 #include "PointMapping.h"
 #include "SceneBlocks.h"
+#include "SceneWarnings.h"
 
 #include "PhotonTransport/scene/Scene.h"
 
@@ -118,18 +119,6 @@ void AddFront(vtkPointData* arrays, const PointMapping& mapping, const Illuminat
     [&](std::size_t vertex, std::size_t point) { hits[point] += map.photonHits[vertex]; });
   AddArray(arrays, "PhotonHits", hits);
   arrays->SetActiveScalars("Illuminance");
-}
-
-std::string ThinGapsNote(const PhotonTransport::ThinGaps& gaps, const SceneBlocks& blocks)
-{
-  std::ostringstream text;
-  text << "light may pass " << gaps.number
-       << " triangles unseen, since another one is too close in front: "
-       << blocks.NameOfFacet(gaps.facet) << " and " << blocks.NameOfFacet(gaps.other) << " are "
-       << gaps.gap << " apart, and light that leaves a surface there starts " << gaps.offset
-       << " away from it, because coordinates are no finer so far from the scene's finest part. "
-          "Light that part in a run of its own, without what is far away, or close the gap";
-  return text.str();
 }
 
 void AddBack(vtkPointData* arrays, const PointMapping& mapping, const IlluminationMap& map)
@@ -267,17 +256,10 @@ std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTranspor
         "only if it is connected to Luminaires");
     }
   }
-  const PhotonTransport::SceneNotes& found = scene.Notes();
-  if (found.thinGaps.unresolved > 0)
+  for (const std::vector<std::string>& lines :
+    { NotesOnSharedPlaces(blocks, scene), WarningsOn(blocks, scene) })
   {
-    notes.push_back(std::to_string(found.thinGaps.unresolved) + " triangles, the first being of " +
-      blocks.NameOfFacet(found.thinGaps.firstUnresolved) +
-      ", are too small for coordinates so far from the scene's finest part: light there is not "
-      "right. Light that part in a run of its own, without what is far away");
-  }
-  if (found.thinGaps.number > 0)
-  {
-    notes.push_back(ThinGapsNote(found.thinGaps, blocks));
+    notes.insert(notes.end(), lines.begin(), lines.end());
   }
   return notes;
 }

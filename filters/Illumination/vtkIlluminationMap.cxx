@@ -8,6 +8,7 @@
 #include "OneRank.h"
 #include "Pipeline.h"
 #include "SceneBlocks.h"
+#include "SceneWarnings.h"
 
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/scene/Scene.h"
@@ -289,6 +290,10 @@ void vtkIlluminationMap::Trace(
     AddFieldData(output->GetFieldData(), run, reason, notes);
     AddMemoryNeeded(output->GetFieldData(), need);
     FillAccuracyTable(accuracy, run.Rounds());
+    for (const std::string& warning : WarningsOn(blocks, this->Kept->Scene))
+    {
+      vtkWarningMacro(<< warning);
+    }
     if (!missing.warning.empty())
     {
       vtkWarningMacro(<< missing.warning);

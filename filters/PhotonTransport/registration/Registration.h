@@ -126,15 +126,18 @@ public:
   {
   }
 
-  void operator()(const Ray& ray, const Hit& hit, bool front, const PhotonOrigin& photon) const
+  /// @param corners Those of the facet that count, as bits.
+  void operator()(const Ray& ray, const Hit& hit, bool front, const PhotonOrigin& photon,
+    unsigned corners = AllCorners) const
   {
     if (front)
     {
-      this->Register(hit, -ray.direction, photon, this->Sums.front, this->Layers.perVertex > 0);
+      this->Register(
+        hit, -ray.direction, photon, this->Sums.front, this->Layers.perVertex > 0, corners);
     }
     else if constexpr (BackSide)
     {
-      this->Register(hit, ray.direction, photon, this->Sums.back, false);
+      this->Register(hit, ray.direction, photon, this->Sums.back, false, corners);
     }
   }
 
@@ -154,13 +157,17 @@ public:
 
 private:
   void Register(const Hit& hit, const glm::vec3& towards, const PhotonOrigin& photon,
-    std::vector<VertexSums>& map, bool layers) const
+    std::vector<VertexSums>& map, bool layers, unsigned corners) const
   {
     const Facet& facet = this->Surroundings.Facets()[hit.facet];
     const glm::vec3 weights = HitWeights<Kind>(this->Surroundings, facet, hit.barycentric, towards);
-    FixedPoint rounded[3];
+    FixedPoint rounded[3] = {};
     for (int corner = 0; corner < 3; ++corner)
     {
+      if (((corners >> corner) & 1u) == 0)
+      {
+        continue;
+      }
       float weight = weights[corner];
       if constexpr (Kind != Registration::Flat)
       {

@@ -4,6 +4,7 @@
 #include "PhotonTransport/scene/DoubleSheets.h"
 #include "PhotonTransport/scene/FacetSide.h"
 #include "PhotonTransport/scene/InvalidInput.h"
+#include "PhotonTransport/scene/SharedPlanes.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -23,9 +24,6 @@ constexpr double LeastArea = std::numeric_limits<float>::min();
 
 /// Below this sine of the angle to its facets a vertex normal counts as theirs.
 constexpr float NoTilt = 1e-4f;
-
-/// Cosine above which two planes that close are one.
-constexpr float SameSheet = 0.999f;
 
 std::vector<glm::vec3> ScenePositions(const Surface& surface, const Placement& placement)
 {
@@ -75,10 +73,24 @@ Scene::Scene(const Surface& surface)
   this->RequireSize();
   std::vector<glm::vec3> positions = ScenePositions(surface, this->Place);
   this->AddFacets(surface, positions);
+  this->FindSharedPlaces(positions);
   this->AddVertices(surface, positions);
-  this->FindDoubleSheets();
   this->BuildBvh(std::move(positions));
-  this->Found.thinGaps = FindThinGaps(*this);
+  ThinGaps& gaps = this->Found.thinGaps;
+  gaps = FindThinGaps(*this);
+  for (std::uint32_t* facet : { &gaps.facet, &gaps.other, &gaps.firstUnresolved })
+  {
+    *facet = this->InSurface(*facet);
+  }
+}
+
+std::uint32_t Scene::InSurface(std::uint32_t facet) const
+{
+  for (const std::uint32_t dropped : this->Dropped)
+  {
+    facet += dropped <= facet;
+  }
+  return facet;
 }
 
 /// Areas must neither vanish nor overflow in m^2.
@@ -109,6 +121,7 @@ void Scene::AddFacets(const Surface& surface, const std::vector<glm::vec3>& posi
     if (!(area >= LeastArea))
     {
       ++this->Found.droppedFacets;
+      this->Dropped.push_back(static_cast<std::uint32_t>(f));
       continue;
     }
     const FacetSide side = SideOf(
@@ -183,6 +196,16 @@ void Scene::AddVertices(const Surface& surface, const std::vector<glm::vec3>& po
   for (const Facet& facet : this->FacetRecords)
   {
     kept.push_back(facet.vertices);
+  }
+  for (std::size_t f = 0; f < this->Shared.size(); ++f)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      if ((this->Shared[f] >> corner) & 1u)
+      {
+        kept[f][corner] = NoVertex;
+      }
+    }
   }
   this->VertexRings = FacetRings(positions.size(), kept);
 
@@ -324,17 +347,6 @@ std::vector<FacetPart> Scene::PartsOfLargeFacets(const std::vector<glm::vec3>& p
     AppendParts(f, { positions[ids.x], positions[ids.y], positions[ids.z] }, halves, parts);
   }
   return parts;
-}
-
-void Scene::FindDoubleSheets()
-{
-  std::vector<FacetPlane> planes;
-  planes.reserve(this->FacetRecords.size());
-  for (const Facet& facet : this->FacetRecords)
-  {
-    planes.push_back({ this->VertexRecords[facet.vertices.x].position, facet.normal });
-  }
-  this->DoubleSheets = FacetsOfDoubleSheets(planes);
 }
 
 bool Scene::FindFront(const Ray& ray, Hit& hit) const

@@ -5,6 +5,7 @@
 #include "PhotonTransport/geometry/Placement.h"
 #include "PhotonTransport/materials/Scattering.h"
 #include "PhotonTransport/scene/EmbreeScene.h"
+#include "PhotonTransport/scene/SharedPlaces.h"
 #include "PhotonTransport/scene/Surface.h"
 #include "PhotonTransport/scene/ThinGaps.h"
 
@@ -89,6 +90,7 @@ struct SceneNotes
   /// Facets that scatter light in each way, by Scattering.
   std::array<std::size_t, Scatterings> scatteringFacets{};
   ThinGaps thinGaps;
+  SharedPlaceNotes sharedPlaces;
   std::size_t colouredFacets = 0; ///< Reflecting, transmitting or shining unequally by channel.
 };
 
@@ -124,6 +126,14 @@ public:
     return !this->DoubleSheets.empty() && this->DoubleSheets[hit.facet] != 0 &&
       this->FindFront(ray, hit);
   }
+
+  /// Whether other facets may lie in the place of a hit that face the same way as its facet.
+  bool MaySharePlace(const Hit& hit) const
+  {
+    return !this->Shared.empty() && this->Shared[hit.facet] != 0;
+  }
+  /// Finds the facets in the place of a hit, its own among them; moves the hit to the last of them.
+  void FindSharers(Hit& hit, std::vector<Sharer>& sharers) const;
 
   /// Coordinates are floats: what they can tell apart grows with their size. This is the size that
   /// counts at a point, its largest coordinate; next to the origin it stays at a least value.
@@ -189,7 +199,10 @@ private:
   Vertex MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const glm::vec3& position);
   glm::dvec3 NormalOfUse(
     std::uint32_t v, const glm::dvec3& givenNormal, const glm::dvec3& areaVectors);
-  void FindDoubleSheets();
+  void FindSharedPlaces(const std::vector<glm::vec3>& positions);
+  void MarkSharedPlace(
+    std::uint32_t first, std::uint32_t second, double area, bool copies, SharedPlaceNotes& notes);
+  std::uint32_t InSurface(std::uint32_t facet) const; ///< Its index in the surface given.
   bool FindFront(const Ray& ray, Hit& hit) const;
   std::vector<FacetPart> PartsOfLargeFacets(const std::vector<glm::vec3>& positions) const;
   void BuildBvh(std::vector<glm::vec3> positions);
@@ -210,6 +223,8 @@ private:
   std::vector<double> Areas;
   std::vector<Vertex> VertexRecords;
   std::vector<std::uint8_t> DoubleSheets; ///< By facet; empty if there are none.
+  std::vector<std::uint8_t> Shared;   ///< Bits of SharedPlace, by facet; empty if none shares one.
+  std::vector<std::uint32_t> Dropped; ///< Facets of the surface that were left out.
   std::optional<EmbreeScene> Bvh;
 };
 

@@ -15,8 +15,10 @@ class Scene;
 /// through.
 struct ThinGaps
 {
-  std::size_t number = 0;  ///< Facets that have such a gap at their middle.
-  std::uint32_t facet = 0; ///< The two of the thinnest gap; the first in the list of several.
+  std::size_t number = 0; ///< Facets that have such a gap at their middle.
+  /// The two of the thinnest gap; the first in the list of several. FindThinGaps gives indices of
+  /// the scene, SceneNotes those of the surface.
+  std::uint32_t facet = 0;
   std::uint32_t other = 0;
   double gap = 0.0;    ///< Its width, in the data's unit.
   double offset = 0.0; ///< How far rays start from a facet there, in the data's unit.

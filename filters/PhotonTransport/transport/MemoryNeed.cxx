@@ -33,9 +33,9 @@ constexpr std::uint64_t PartsPerFacet =
 
 /// Records, area vectors, exitance, rings and three lists of indices (one is Embree's); the areas
 /// of a ring fill groups of four.
-constexpr std::uint64_t ScenePerFacet = sizeof(Facet) + sizeof(glm::vec3) + sizeof(float) +
-  3 * sizeof(std::uint32_t) + 3 * sizeof(glm::uvec3) + 3 * sizeof(RingAreas) / 4 +
-  2 * sizeof(glm::vec3) + 2 * sizeof(std::uint64_t);
+constexpr std::uint64_t ScenePerFacet = sizeof(Facet) + 2 * sizeof(std::uint8_t) +
+  sizeof(glm::vec3) + sizeof(float) + 3 * sizeof(std::uint32_t) + 3 * sizeof(glm::uvec3) +
+  3 * sizeof(RingAreas) / 4 + 2 * sizeof(glm::vec3) + 2 * sizeof(std::uint64_t);
 /// Records, areas, three lists of offsets, two lists of positions (one is Embree's).
 constexpr std::uint64_t ScenePerVertex = sizeof(Vertex) + sizeof(double) +
   3 * sizeof(std::uint64_t) + 2 * sizeof(glm::vec3) + 3 * sizeof(RingAreas) / 4;

@@ -120,10 +120,27 @@ bool CountArrival(const Hit& hit, bool front, const WalkSettings& settings, Arri
   return true;
 }
 
+/// Registers a photon on all facets in the place where it arrives; moves the hit to the one that
+/// decides what becomes of it. Not inlined: it is rare, and what is hot must stay small.
+template <class OnHit>
+[[gnu::noinline]] void RegisterOnAll(const Scene& scene, const Ray& ray, Hit& hit, bool front,
+  const PhotonOrigin& origin, const OnHit& onHit)
+{
+  thread_local std::vector<Sharer> sharers;
+  scene.FindSharers(hit, sharers);
+  for (const Sharer& sharer : sharers)
+  {
+    if (sharer.corners != 0)
+    {
+      onHit(ray, { sharer.facet, sharer.barycentric }, front, origin, sharer.corners);
+    }
+  }
+}
+
 /// What happens to a photon at the end of a segment.
 /// @param ray The segment; the next one if the photon goes on.
 /// @param hit Its end; moved to the right one of two facets in the same place.
-/// @param onHit Called as onHit(ray, hit, front, photon.origin).
+/// @param onHit Called as onHit(ray, hit, front, photon.origin, corners), all corners by default.
 /// @param arrivals By lamp.
 /// @return Whether it goes on.
 template <Walk Kind, class OnHit>
@@ -144,7 +161,14 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
   }
   bool front = glm::dot(ray.direction, settings.scene.Facets()[hit.facet].normal) < 0.0f;
   front = front || settings.scene.PreferFront(ray, hit);
-  onHit(ray, hit, front, photon.origin);
+  if (settings.scene.MaySharePlace(hit))
+  {
+    RegisterOnAll(settings.scene, ray, hit, front, photon.origin, onHit);
+  }
+  else
+  {
+    onHit(ray, hit, front, photon.origin);
+  }
   if (underWay)
   {
     underWay = !CountArrival<Kind>(hit, front, settings, arrivals[photon.origin.lamp]);

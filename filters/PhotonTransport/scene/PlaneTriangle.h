@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace PhotonTransport
+{
+
+/// A facet seen along one of the three axes, counter-clockwise.
+struct PlaneTriangle
+{
+  /// @param axis Which coordinate to leave out.
+  PlaneTriangle(
+    std::uint32_t facet, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, int axis);
+
+  std::uint32_t facet;
+  bool turned; ///< Corners are in the order a, c, b.
+  glm::vec2 corners[3];
+  glm::vec2 low, high; ///< Bounds.
+  float reach;         ///< Largest coordinate of a corner: by it corners are rounded.
+};
+
+/// The axis along which a plane is seen best.
+int BestAxis(const glm::vec3& normal);
+
+/// Whether two triangles have more in common than a sliver, which rounding may bring about where
+/// they are neighbours.
+bool Meet(const PlaneTriangle& one, const PlaneTriangle& other);
+
+/// The convex polygon that two triangles have in common, and its area.
+struct CommonPart
+{
+  std::vector<glm::dvec2> corners;
+  double area = 0.0;
+};
+CommonPart Intersection(const PlaneTriangle& one, const PlaneTriangle& other);
+
+/// Finds the triangles near another one, in time that does not depend on how many there are.
+class TriangleGrid
+{
+public:
+  /// @param members Indices of triangles. @param triangles Must outlive this.
+  TriangleGrid(
+    const std::vector<PlaneTriangle>& triangles, const std::vector<std::uint32_t>& members);
+
+  /// Calls f(index) once for each member that may meet a triangle, until f returns true.
+  /// @return Whether f did.
+  template <typename F>
+  bool AnyNear(const PlaneTriangle& triangle, const F& f)
+  {
+    ++this->Query;
+    return this->AnyCell(triangle,
+      [&](std::size_t cell)
+      {
+        for (std::size_t i = this->Offsets[cell]; i < this->Offsets[cell + 1]; ++i)
+        {
+          const std::uint32_t member = this->Members[i];
+          if (this->Seen[member] != this->Query)
+          {
+            this->Seen[member] = this->Query;
+            if (f(member))
+            {
+              return true;
+            }
+          }
+        }
+        return false;
+      });
+  }
+
+private:
+  /// Calls f(cell) for the cells that a triangle touches, until f returns true.
+  template <typename F>
+  bool AnyCell(const PlaneTriangle& triangle, const F& f) const
+  {
+    const std::pair<int, int> rows = this->RangeOf(triangle.low.y, triangle.high.y, 1);
+    for (int row = rows.first; row <= rows.second; ++row)
+    {
+      const glm::vec2 span = this->SpanIn(triangle, row);
+      const std::pair<int, int> columns = this->RangeOf(span.x, span.y, 0);
+      for (int column = columns.first; column <= columns.second; ++column)
+      {
+        if (f(static_cast<std::size_t>(row) * static_cast<std::size_t>(this->Size) +
+              static_cast<std::size_t>(column)))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+  /// First and last cell along an axis; none outside the grid.
+  std::pair<int, int> RangeOf(float low, float high, int axis) const;
+  glm::vec2 SpanIn(const PlaneTriangle& triangle, int row) const;
+
+  int Size = 1; ///< Cells along each side.
+  glm::vec2 Low, Cell;
+  std::vector<std::size_t> Offsets;
+  std::vector<std::uint32_t> Members;
+  std::vector<std::uint32_t> Seen; ///< The last query that met it.
+  std::uint32_t Query = 0;
+};
+
+} // namespace PhotonTransport

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace PhotonTransport
+{
+
+/// Corners of a facet, as bits.
+constexpr unsigned AllCorners = 7;
+
+/// Facets in one plane that face the same way and have a part in common: each of them registers
+/// the light that arrives there, and the last one in the list decides what becomes of it, as if it
+/// lay on top.
+///
+/// A vertex that belongs to a facet and to a copy of it counts the light and the area once: bits of
+/// AllCorners are the corners of a copy that an earlier facet has counted already. The other bits
+/// say how a facet shares its place.
+enum SharedPlace : std::uint8_t
+{
+  SharesPlace = 1 << 3,
+  IsCopy = 1 << 4,         ///< Of an earlier facet: they have the same three corners.
+  OverlapsInPart = 1 << 5, ///< Is no copy of the other one.
+  UnlikeMaterials = 1 << 6,
+  ShinesToo = 1 << 7 ///< Where another one shines that is no copy.
+};
+
+/// One of the facets in the place of a hit.
+struct Sharer
+{
+  std::uint32_t facet;
+  glm::vec3 barycentric;
+  unsigned corners; ///< That count, as bits.
+};
+
+/// Facets that share their place in one way, and the two of them that have most in common.
+struct SharedPlaceNote
+{
+  std::size_t facets = 0;
+  std::uint32_t first = 0, second = 0; ///< In the surface's list.
+  double squareMetres = 0.0;           ///< What these two have in common.
+};
+
+/// What there is to tell of them.
+struct SharedPlaceNotes
+{
+  SharedPlaceNote copies, inPart, unlikeMaterials, shineToo;
+};
+
+} // namespace PhotonTransport

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace PhotonTransport
+{
+
+/// Two sheets this close, relative to the reach of a point (Scene::Reach), are in one place: a
+/// ray's distance to them is rounded by as much.
+constexpr float SheetGap = 0x1p-20f;
+
+/// So much more where the sheets' corners are this far out, relative to their largest coordinate:
+/// they are rounded.
+constexpr float CornerGap = 0x1p-23f;
+
+/// Cosine above which two planes that close count as one.
+constexpr float SameSheet = 0.999f;
+
+/// A facet's plane: any of its points, and its unit normal.
+struct FacetPlane
+{
+  glm::vec3 point;
+  glm::vec3 normal;
+  /// By how much rounding of the facet's corners may move the plane's point nearest to the origin.
+  float uncertainty = SheetGap;
+};
+
+/// A facet's plane through its rounded corners.
+FacetPlane PlaneOf(
+  const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& normal);
+
+/// A facet in a group of facets whose planes are near each other, whichever way they face.
+struct PlaneMember
+{
+  std::uint64_t group;
+  std::uint32_t facet;
+  bool operator<(const PlaneMember& other) const
+  {
+    return this->group != other.group ? this->group < other.group : this->facet < other.facet;
+  }
+};
+
+/// Groups of two facets or more, one after the other, facets in ascending order. Facets whose
+/// planes are one up to rounding are together in at least one group; a group also holds others.
+std::vector<PlaneMember> SharedPlanes(const std::vector<FacetPlane>& planes);
+
+/// Calls f(first, last) for each group.
+template <typename F>
+void ForEachGroup(const std::vector<PlaneMember>& members, const F& f)
+{
+  const PlaneMember* end = members.data() + members.size();
+  for (const PlaneMember* first = members.data(); first != end;)
+  {
+    const PlaneMember* last = std::find_if(
+      first, end, [&](const PlaneMember& member) { return member.group != first->group; });
+    f(first, last);
+    first = last;
+  }
+}
+
+} // namespace PhotonTransport
