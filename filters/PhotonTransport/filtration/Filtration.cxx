@@ -189,7 +189,7 @@ FiltrationMonitor ShareOfAll(
   double filters = 1.0; // for the importance
   for (const NoisyMap& part : parts)
   {
-    filters += method == FiltrationMethod::Adaptive ? 7.0 : 2.0;
+    filters += method == FiltrationMethod::Adaptive ? 8.0 : 3.0;
     filters += part.groups.empty() && part.standardError.empty() ? 2.0 : 0.0;
   }
   return [filters, monitor, begun = 0.0](double share) mutable

@@ -23,10 +23,7 @@ public:
   /// Variance (lx^2) of a value that is so many lx in truth. A photon counts for the three vertices
   /// of its facet by its place there: on average a third, by weights whose square is a sixth of it
   /// on average. A value E of A E / (lumens / 3) photons has the variance E lumens / (2 A).
-  double Variance(std::size_t v, double value) const
-  {
-    return 0.5 * this->OnePhoton(v) * value;
-  }
+  double Variance(std::size_t v, double value) const { return 0.5 * this->OnePhoton(v) * value; }
 
 private:
   std::vector<float> Photon;

@@ -29,9 +29,35 @@ double MeanOfOthers(const Group& x, std::size_t but)
     static_cast<double>(Groups - 1);
 }
 
-/// 1 / lx^2, falling as 1 / E^(3/2) in the light E: between the inverse variance of photon noise, 1
-/// / E, by which dim places count little, and the relative error's 1 / E^2, by which single
-/// photons in the dark decide. @param photon One photon, lx.
+/// One photon (lx) at the mean area of a vertex and its neighbours. By its own area a small vertex
+/// in a dark crease, where a single photon is much light, would hardly count beside its neighbours,
+/// and what they leak into it would not be seen.
+double PhotonOfRing(const SmoothingGraph& graph, const PhotonNoise& photons, std::size_t v)
+{
+  double areas = 0.0;
+  double vertices = 0.0;
+  const auto add = [&](std::size_t vertex)
+  {
+    if (photons.OnePhoton(vertex) > 0.0)
+    {
+      areas += 1.0 / photons.OnePhoton(vertex);
+      vertices += 1.0;
+    }
+  };
+  add(v);
+  for (const SmoothingGraph::Edge& edge : graph.At(v))
+  {
+    if (edge.conductance > 0.0f)
+    {
+      add(edge.neighbour);
+    }
+  }
+  return vertices > 0.0 ? vertices / areas : 0.0;
+}
+
+/// 1 / lx^2, falling as E^(-3/2) in the light E: between the inverse variance of photon noise, 1 /
+/// E, by which dim places count little, and the relative error's 1 / E^2, by which single photons
+/// in the dark decide. @param photon One photon, lx, > 0.
 double RiskWeight(double light, double photon)
 {
   return 2.0 / std::sqrt(photon) / std::pow(std::max(light, 0.0) + photon, 1.5);
@@ -41,8 +67,7 @@ double RiskWeight(double light, double photon)
 /// made from the others, and weighed by them: a value that is low by chance must not weigh itself
 /// up. E (C - X_g)^2 is the candidate's bias^2 + 4/3 var C + 4 var X, of which bias^2 + var C is
 /// wanted.
-CandidateColumns::value_type RisksAt(
-  const CandidateMaps& candidates, std::size_t v, double photon)
+CandidateColumns::value_type RisksAt(const CandidateMaps& candidates, std::size_t v, double photon)
 {
   const Group& map = candidates.At(0, v);
   Group weights;
@@ -59,12 +84,13 @@ CandidateColumns::value_type RisksAt(
     double distance = 0.0;
     for (std::size_t g = 0; g < Groups; ++g)
     {
-      distance += double{ weights[g] } *
-        Square(MeanOfOthers(candidate, g) - double{ map[g] }) / static_cast<double>(Groups);
+      distance += double{ weights[g] } * Square(MeanOfOthers(candidate, g) - double{ map[g] }) /
+        static_cast<double>(Groups);
     }
-    risks[k] = static_cast<float>(
-      distance - weight * (Variance(candidate) / static_cast<double>(Groups - 1) +
-        static_cast<double>(Groups) * noise));
+    risks[k] = static_cast<float>(distance -
+      weight *
+        (Variance(candidate) / static_cast<double>(Groups - 1) +
+          static_cast<double>(Groups) * noise));
   }
   risks[NoiseColumn] = static_cast<float>(weight * noise);
   risks[WeightColumn] = static_cast<float>(weight);
@@ -72,8 +98,8 @@ CandidateColumns::value_type RisksAt(
   return risks;
 }
 
-/// How much brighter than its dim surroundings a vertex is, >= 1. One that outshines them is not
-/// what their risk is about: its own noise is larger, and what is allowed grows with its square.
+/// How much brighter than its dim surroundings a vertex is, >= 1. One that outshines them has more
+/// noise than the mean over its neighbourhood says.
 double Prominence(const CandidateColumns::value_type& pooled, double light, double photon)
 {
   const double around = double{ pooled[LightColumn] };
@@ -81,19 +107,32 @@ double Prominence(const CandidateColumns::value_type& pooled, double light, doub
   return around > 0.0 && own > around ? own / around : 1.0;
 }
 
+/// Candidates whose risk is at most so much above the least; the map itself if there is none.
+std::uint16_t AdmittedAt(const CandidateColumns::value_type& pooled, double excess)
+{
+  const double least = *std::min_element(pooled.begin(), pooled.begin() + Candidates);
+  unsigned bits = 0;
+  for (std::size_t k = 0; k < Candidates; ++k)
+  {
+    bits |= (double{ pooled[k] } <= least + excess ? 1u : 0u) << k;
+  }
+  return static_cast<std::uint16_t>(bits != 0 ? bits : 1u);
+}
+
 } // namespace
 
 Admission AdmitByRelativeRisk(const SmoothingGraph& graph, const CandidateMaps& candidates,
   const PhotonNoise& photons, double strength, const FiltrationMonitor& monitor)
 {
+  std::vector<double> photonOfRing(candidates.Vertices());
   CandidateColumns risks(candidates.Vertices(), CandidateColumns::value_type{});
   ForEach(risks.size(),
     [&](std::size_t v)
     {
-      const double photon = photons.OnePhoton(v);
-      if (photon > 0.0)
+      photonOfRing[v] = PhotonOfRing(graph, photons, v);
+      if (photonOfRing[v] > 0.0)
       {
-        risks[v] = RisksAt(candidates, v, photon);
+        risks[v] = RisksAt(candidates, v, photonOfRing[v]);
       }
     });
   risks = Pool(graph, RiskPool, risks, monitor);
@@ -101,23 +140,9 @@ Admission AdmitByRelativeRisk(const SmoothingGraph& graph, const CandidateMaps& 
   ForEach(risks.size(),
     [&](std::size_t v)
     {
-      const double light = MeanOf(candidates.At(0, v));
-      const double noise = double{ risks[v][NoiseColumn] } *
-        Square(Prominence(risks[v], light, photons.OnePhoton(v)));
-      const double least = *std::min_element(risks[v].begin(), risks[v].begin() + Candidates);
-      bool any = false;
-      for (std::size_t k = 0; k < Candidates; ++k)
-      {
-        if (double{ risks[v][k] } <= least + strength * Tolerance * noise)
-        {
-          admission.Admit(k, v);
-          any = true;
-        }
-      }
-      if (!any)
-      {
-        admission.Admit(0, v);
-      }
+      const double prominence = Prominence(risks[v], MeanOf(candidates.At(0, v)), photonOfRing[v]);
+      const double noise = double{ risks[v][NoiseColumn] } * Square(prominence);
+      admission[v] = AdmittedAt(risks[v], strength * Tolerance * noise);
     });
   return admission;
 }

@@ -10,26 +10,13 @@
 namespace PhotonTransport
 {
 
-/// Which candidates each vertex may have, a bit for each.
-class Admission
-{
-public:
-  explicit Admission(std::size_t vertices)
-    : Bits(vertices, 0)
-  {
-  }
-  bool Admits(std::size_t candidate, std::size_t v) const
-  {
-    return (this->Bits[v] >> candidate & 1u) != 0;
-  }
-  void Admit(std::size_t candidate, std::size_t v)
-  {
-    this->Bits[v] = static_cast<std::uint16_t>(this->Bits[v] | 1u << candidate);
-  }
+/// Which candidates each vertex may have, a bit for each; at least one.
+using Admission = std::vector<std::uint16_t>;
 
-private:
-  std::vector<std::uint16_t> Bits;
-};
+inline bool Admits(const Admission& admission, std::size_t candidate, std::size_t v)
+{
+  return (admission[v] >> candidate & 1u) != 0;
+}
 
 /// Admits the candidates whose squared error *relative to the light at the vertex* is near the
 /// least. A width that is right in lx^2 for bright vertices, since it saves much of their noise,

@@ -97,15 +97,14 @@ Choice LeastRisk(const CandidateColumns& risks, const Admits& admits)
 
 /// Risks over the wide neighbourhood, or over the near one where that rejects the wide one's
 /// choice.
-CandidateColumns FirstRisks(
-  const SmoothingGraph& graph, const CandidateColumns& risks, const Admission& admission,
-  const FiltrationMonitor& monitor)
+CandidateColumns FirstRisks(const SmoothingGraph& graph, const CandidateColumns& risks,
+  const Admission& admission, const FiltrationMonitor& monitor)
 {
   const std::vector<CandidateColumns> pooled = Apply<12>(
     graph, { SpectralFilter::Heat(FirstPool), SpectralFilter::Heat(NearPool) }, risks, monitor);
   const CandidateColumns& wide = pooled[0];
   const CandidateColumns& near = pooled[1];
-  const auto admits = [&](std::size_t k, std::size_t v) { return admission.Admits(k, v); };
+  const auto admits = [&](std::size_t k, std::size_t v) { return Admits(admission, k, v); };
   const Choice choiceOfWide = LeastRisk(wide, admits);
   const Choice choiceOfNear = LeastRisk(near, admits);
   CandidateColumns first(risks.size());
@@ -118,8 +117,32 @@ CandidateColumns FirstRisks(
   return first;
 }
 
-/// The chosen candidates with soft seams between them. A vertex has no share of a candidate that
-/// its neighbours may have and itself may not: its own choice takes that share.
+/// The share of each candidate at a vertex, from the pooled choices of its neighbourhood. It has no
+/// share of a candidate that its neighbours may have and itself may not: its choice takes that.
+CandidateColumns::value_type Shares(CandidateColumns::value_type pooled, std::size_t choice,
+  const Admission& admission, std::size_t v)
+{
+  float sum = 0.0f;
+  for (std::size_t k = 0; k < Candidates; ++k)
+  {
+    pooled[k] = std::max(0.0f, pooled[k]); // the pool is a polynomial
+    sum += pooled[k];
+  }
+  for (std::size_t k = 0; k < Candidates; ++k)
+  {
+    if (k != choice && !Admits(admission, k, v))
+    {
+      pooled[choice] += std::exchange(pooled[k], 0.0f);
+    }
+  }
+  for (std::size_t k = 0; k < Candidates; ++k)
+  {
+    pooled[k] /= sum;
+  }
+  return pooled;
+}
+
+/// The chosen candidates with soft seams between them.
 Selection Blend(const SmoothingGraph& graph, const CandidateMaps& candidates, const Choice& choice,
   const Admission& admission, const FiltrationMonitor& monitor)
 {
@@ -135,30 +158,17 @@ Selection Blend(const SmoothingGraph& graph, const CandidateMaps& candidates, co
     [&](std::size_t v)
     {
       const Group& map = candidates.At(0, v);
+      const auto shares = Shares(weights[v], choice[v], admission, v);
       selection.groups[v] = map;
-      float sum = 0.0f;
-      for (std::size_t k = 0; k < Candidates; ++k)
-      {
-        weights[v][k] = std::max(0.0f, weights[v][k]); // the pool is a polynomial
-        sum += weights[v][k];
-      }
-      for (std::size_t k = 0; k < Candidates; ++k)
-      {
-        if (k != choice[v] && !admission.Admits(k, v))
-        {
-          weights[v][choice[v]] += std::exchange(weights[v][k], 0.0f);
-        }
-      }
       for (std::size_t k = 1; k < Candidates; ++k)
       {
         const Group change = Difference(candidates.At(k, v), map);
-        const float weight = weights[v][k] / sum;
         for (std::size_t g = 0; g < Groups; ++g)
         {
-          selection.groups[v][g] += weight * change[g];
+          selection.groups[v][g] += shares[k] * change[g];
         }
-        selection.change[v] += double{ weight } * MeanOf(change);
-        selection.width[v] += weight * static_cast<float>(std::sqrt(2.0 * KernelTimes[k - 1]));
+        selection.change[v] += double{ shares[k] } * MeanOf(change);
+        selection.width[v] += shares[k] * static_cast<float>(std::sqrt(2.0 * KernelTimes[k - 1]));
       }
     });
   return selection;
@@ -174,15 +184,15 @@ Selection SelectWidths(const SmoothingGraph& graph, const GroupColumns& map,
     AdmitByRelativeRisk(graph, candidates, photons, settings.strength, monitor);
   const CandidateColumns risks =
     FirstRisks(graph, RisksAgainstMap(candidates, settings), admission, monitor);
-  const Choice firstChoice = LeastRisk(
-    risks, [&](std::size_t k, std::size_t v) { return admission.Admits(k, v); });
+  const Choice firstChoice =
+    LeastRisk(risks, [&](std::size_t k, std::size_t v) { return Admits(admission, k, v); });
   const Selection first = Blend(graph, candidates, firstChoice, admission, monitor);
 
   const CandidateColumns closer =
     Pool(graph, SecondPool, RisksAgainstFirst(candidates, first.groups, settings), monitor);
   const auto admits = [&](std::size_t k, std::size_t v)
   {
-    return admission.Admits(k, v) &&
+    return Admits(admission, k, v) &&
       risks[v][k] <= risks[v][firstChoice[v]] + Veto * risks[v][NoiseColumn];
   };
   return Blend(graph, candidates, LeastRisk(closer, admits), admission, monitor);
