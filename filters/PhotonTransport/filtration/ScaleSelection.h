@@ -27,8 +27,8 @@ struct SelectionSettings
 /// Smooths by twiced heat kernels of eight widths from 1 to 11 vertex distances and chooses among
 /// them and the map itself, vertex by vertex, the one with the least mean squared error. That error
 /// is estimated without knowing the true map (Stein's unbiased risk estimate, 1981), from the
-/// covariances of the groups: |C - X|^2 + 2 cov(C, X) - var X for a candidate C of the map X. Widths
-/// that RelativeRisk does not admit at a vertex are not chosen there.
+/// covariances of the groups: |C - X|^2 + 2 cov(C, X) - var X for a candidate C of the map X.
+/// Widths that RelativeRisk does not admit at a vertex are not chosen there.
 Selection SelectWidths(const SmoothingGraph& graph, const GroupColumns& map,
   const PhotonNoise& photons, const SelectionSettings& settings, const FiltrationMonitor& monitor);
 
