@@ -2,6 +2,7 @@
 #include "PhotonTransport/filtration/Filtration.h"
 
 #include "PhotonTransport/filtration/DarkRegions.h"
+#include "PhotonTransport/filtration/ExpectedError.h"
 #include "PhotonTransport/filtration/NoiseModel.h"
 #include "PhotonTransport/filtration/Parallel.h"
 #include "PhotonTransport/filtration/ScaleSelection.h"
@@ -120,27 +121,32 @@ GroupColumns GroupsOf(
   return columns;
 }
 
-/// The graph without the edges into regions that the part certainly does not light; none if there
-/// are no such regions.
-std::optional<SmoothingGraph> WithoutDarkRegions(
+/// Marks the regions that the part certainly does not light; empty if there are none.
+std::vector<std::uint8_t> DarkRegionsOf(
   const SmoothingGraph& graph, const Values& part, const Values& total, const Values& hits)
 {
   if (hits.empty())
   {
-    return std::nullopt;
+    return {};
   }
   Values ofPart(part.size(), 0.0);
   for (std::size_t v = 0; v < part.size(); ++v)
   {
     ofPart[v] = part[v] > 0.0 ? hits[v] * part[v] / total[v] : 0.0;
   }
-  const std::vector<std::uint8_t> dark = FindDarkRegions(graph, ofPart);
-  if (dark.empty())
+  return FindDarkRegions(graph, ofPart);
+}
+
+/// The graph without the edges into regions; none if there are no regions.
+std::optional<SmoothingGraph> Without(
+  const SmoothingGraph& graph, const std::vector<std::uint8_t>& regions)
+{
+  std::optional<SmoothingGraph> cut;
+  if (!regions.empty())
   {
-    return std::nullopt;
+    cut = graph;
+    cut->CutAround(regions);
   }
-  std::optional<SmoothingGraph> cut(graph);
-  cut->CutAround(dark);
   return cut;
 }
 
@@ -183,7 +189,7 @@ FiltrationMonitor ShareOfAll(
   double filters = 1.0; // for the importance
   for (const NoisyMap& part : parts)
   {
-    filters += method == FiltrationMethod::Adaptive ? 6.0 : 2.0;
+    filters += method == FiltrationMethod::Adaptive ? 8.0 : 3.0;
     filters += part.groups.empty() && part.standardError.empty() ? 2.0 : 0.0;
   }
   return [filters, monitor, begun = 0.0](double share) mutable
@@ -210,17 +216,22 @@ struct Whole
 FilteredMap FiltratePart(const NoisyMap& part, const Whole& whole,
   const FiltrationSettings& settings, const FiltrationMonitor& monitor)
 {
-  const std::optional<SmoothingGraph> cut =
-    WithoutDarkRegions(whole.graph, part.values, whole.total, whole.hits);
+  const std::vector<std::uint8_t> dark =
+    DarkRegionsOf(whole.graph, part.values, whole.total, whole.hits);
+  const std::optional<SmoothingGraph> cut = Without(whole.graph, dark);
   const SmoothingGraph& graph = cut ? *cut : whole.graph;
   const GroupColumns map = GroupsOf(graph, part, monitor);
+  const PhotonNoise photons(graph,
+    whole.hits.empty() ? LumensPerPhoton(graph, map)
+                       : LumensPerPhoton(graph, whole.total, whole.hits));
   const Selection selection = settings.method == FiltrationMethod::Adaptive
-    ? SelectWidths(graph, map, { whole.importance, settings.strength }, monitor)
+    ? SelectWidths(graph, map, photons, { whole.importance, settings.strength }, monitor)
     : settings.method == FiltrationMethod::Diffusion
-    ? SmoothEvenly(whole.graph, map, settings.width, monitor)
+    ? SmoothEvenly(graph, map, settings.width, monitor)
     : Unchanged(map);
   FilteredMap result{ part.values,
-    SquaredError(graph, map, selection.groups, whole.importance, monitor), selection.width };
+    ExpectedSquaredError(graph, { map, selection.groups, photons, dark }, monitor),
+    selection.width };
   std::transform(result.values.begin(), result.values.end(), selection.change.begin(),
     result.values.begin(), std::plus<>());
   Conserve(whole.graph, part.values, result.values);

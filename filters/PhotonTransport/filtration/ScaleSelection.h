@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PhotonTransport/filtration/SpectralFilter.h"
-#include "PhotonTransport/statistics/GroupMeans.h"
+#include "PhotonTransport/filtration/GroupStatistics.h"
+#include "PhotonTransport/filtration/PhotonNoise.h"
 
 #include <vector>
 
 namespace PhotonTransport
 {
-
-/// A map as independent estimates with one mean, in single precision.
-using GroupColumns = Columns<Groups>;
 
 /// A map smoothed with a width of its own at each vertex.
 struct Selection
@@ -31,17 +28,8 @@ struct SelectionSettings
 /// them and the map itself, vertex by vertex, the one with the least mean squared error. That error
 /// is estimated without knowing the true map (Stein's unbiased risk estimate, 1981), from the
 /// covariances of the groups: |C - X|^2 + 2 cov(C, X) - var X for a candidate C of the map X.
+/// Widths that RelativeRisk does not admit at a vertex are not chosen there.
 Selection SelectWidths(const SmoothingGraph& graph, const GroupColumns& map,
-  const SelectionSettings& settings, const FiltrationMonitor& monitor);
-
-/// Expected squared error (lx^2) of a smoothed map, noise and bias, averaged over some ten vertex
-/// distances. It is not below the map's own noise.
-std::vector<double> SquaredError(const SmoothingGraph& graph, const GroupColumns& map,
-  const GroupColumns& smoothed, const std::vector<float>& importance,
-  const FiltrationMonitor& monitor);
-
-/// Means of groups and covariances of these means.
-double MeanOf(const std::array<float, Groups>& x);
-double Covariance(const std::array<float, Groups>& x, const std::array<float, Groups>& y);
+  const PhotonNoise& photons, const SelectionSettings& settings, const FiltrationMonitor& monitor);
 
 } // namespace PhotonTransport

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace PhotonTransport
 {
@@ -14,29 +15,47 @@ namespace
 /// Largest difference between a response and its polynomial.
 constexpr double Tolerance = 1e-3;
 
-/// Sampled at Chebyshev's nodes, many more than there are terms of weight.
-std::vector<double> ChebyshevSeries(const std::function<double(double)>& response)
+/// The series that meets the response at so many of Chebyshev's nodes; half as many terms, since
+/// those above are mirror images of those below.
+std::vector<double> SeriesFromNodes(
+  const std::function<double(double)>& response, std::size_t nodes)
 {
   constexpr double Pi = 3.14159265358979323846;
-  constexpr std::size_t Nodes = 1024;
-  std::vector<double> cosines(4 * Nodes); // of multiples of a quarter turn over Nodes
+  std::vector<double> cosines(4 * nodes); // of multiples of a quarter turn over the nodes
   for (std::size_t i = 0; i < cosines.size(); ++i)
   {
-    cosines[i] = std::cos(Pi * static_cast<double>(i) / (2.0 * Nodes));
+    cosines[i] = std::cos(Pi * static_cast<double>(i) / (2.0 * static_cast<double>(nodes)));
   }
-  const auto cosine = [&](std::size_t node, std::size_t term)
-  { return cosines[(2 * node + 1) * term % cosines.size()]; };
-  std::vector<double> values(Nodes);
-  for (std::size_t i = 0; i < Nodes; ++i)
+  std::vector<double> series(nodes / 2, 0.0);
+  for (std::size_t i = 0; i < nodes; ++i)
   {
-    values[i] = response(0.5 * double{ SmoothingGraph::LargestEigenvalue } * (1.0 + cosine(i, 1)));
+    const double value =
+      response(0.5 * double{ SmoothingGraph::LargestEigenvalue } * (1.0 + cosines[2 * i + 1]));
+    for (std::size_t k = 0; k < series.size(); ++k)
+    {
+      series[k] += value * cosines[(2 * i + 1) * k % cosines.size()];
+    }
   }
-  std::vector<double> series(Nodes / 2, 0.0);
   for (std::size_t k = 0; k < series.size(); ++k)
   {
-    for (std::size_t i = 0; i < Nodes; ++i)
+    series[k] *= (k == 0 ? 1.0 : 2.0) / static_cast<double>(nodes);
+  }
+  return series;
+}
+
+/// From as many nodes as it takes: a response that decays fast needs more.
+std::vector<double> ChebyshevSeries(const std::function<double(double)>& response)
+{
+  constexpr std::size_t MostNodes = 4096;
+  std::vector<double> series;
+  for (std::size_t nodes = 64; nodes <= MostNodes; nodes *= 2)
+  {
+    series = SeriesFromNodes(response, nodes);
+    const double rest = std::accumulate(series.begin() + nodes / 4, series.end(), 0.0,
+      [](double sum, double coefficient) { return sum + std::abs(coefficient); });
+    if (rest < 1e-3 * Tolerance)
     {
-      series[k] += (k == 0 ? 1.0 : 2.0) / Nodes * values[i] * cosine(i, k);
+      break;
     }
   }
   return series;

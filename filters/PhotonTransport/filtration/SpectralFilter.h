@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace PhotonTransport
@@ -49,5 +50,13 @@ template <std::size_t N>
 std::vector<Columns<N>> Apply(const SmoothingGraph& graph,
   const std::vector<SpectralFilter>& filters, const Columns<N>& x,
   const FiltrationMonitor& monitor);
+
+/// Means over a neighbourhood, by the heat kernel of a time.
+template <std::size_t N>
+Columns<N> Pool(const SmoothingGraph& graph, double time, const Columns<N>& values,
+  const FiltrationMonitor& monitor)
+{
+  return std::move(Apply<N>(graph, { SpectralFilter::Heat(time) }, values, monitor).front());
+}
 
 } // namespace PhotonTransport

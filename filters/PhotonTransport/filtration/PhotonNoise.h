@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PhotonTransport/filtration/GroupStatistics.h"
+
+#include <vector>
+
+namespace PhotonTransport
+{
+
+/// What Poisson's law says of the noise at each vertex: which noise a value has that so many
+/// photons make, however few of them came. It knows the scale of a photon where the groups, with
+/// three degrees of freedom, know little, and where no photon came, nothing.
+class PhotonNoise
+{
+public:
+  /// @param lumens What a photon brings to the facet that it hits, in units of area times lx.
+  PhotonNoise(const SmoothingGraph& graph, double lumens);
+
+  /// q = lumens / A: one photon, counted for one vertex alone, lx. 0 for a vertex without an area.
+  double OnePhoton(std::size_t v) const { return this->Photon[v]; }
+
+  /// Variance (lx^2) of a value that is so many lx in truth. A photon counts for the three vertices
+  /// of its facet by its place there: on average a third, by weights whose square is a sixth of it
+  /// on average. A value E of A E / (lumens / 3) photons has the variance E lumens / (2 A).
+  double Variance(std::size_t v, double value) const { return 0.5 * this->OnePhoton(v) * value; }
+
+private:
+  std::vector<float> Photon;
+};
+
+/// Lumens a photon from the photons counted on the facets around the vertices. Each counts for
+/// three vertices, while its light is shared among them.
+double LumensPerPhoton(const SmoothingGraph& graph, const std::vector<double>& illuminance,
+  const std::vector<double>& hits);
+
+/// The same where the photons were not counted, from the noise: sum(A^2 var X) = lumens / 2 sum(A
+/// X) where Poisson's law holds.
+double LumensPerPhoton(const SmoothingGraph& graph, const GroupColumns& map);
+
+} // namespace PhotonTransport
