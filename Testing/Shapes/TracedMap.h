@@ -3,6 +3,14 @@
 
 #include "PhotonTransport/transport/IlluminationRun.h"
 
+/// How many facets a hit registers on at most: 1, unless some lie in one place and face the same
+/// way.
+inline std::size_t MostFacetsInOnePlace(const PhotonTransport::Scene& scene)
+{
+  const PhotonTransport::SharedPlaceNotes& shared = scene.Notes().sharedPlaces;
+  return shared.copies.facets + shared.inPart.facets > 0 ? scene.Facets().size() : 1;
+}
+
 /// A whole run to a number of photons, for tests.
 struct TracedMap
 {

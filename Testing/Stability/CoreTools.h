@@ -32,7 +32,8 @@ void Report(const std::string& protects, const std::string& measured);
 bool LongTests();
 
 /// A run to a number of photons whose result is sound: photons balance, all values are finite and
-/// not below 0, and no more flux is registered than arrived times the weight bound.
+/// not below 0, and no more flux is registered than arrived times the weight bound, on each facet
+/// in one place.
 class SoundRun
 {
 public:

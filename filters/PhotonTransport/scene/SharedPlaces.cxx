@@ -184,10 +184,10 @@ void Scene::FindSharers(Hit& hit, std::vector<Sharer>& sharers) const
   sharers.erase(std::unique(sharers.begin(), sharers.end(),
                   [](const Sharer& a, const Sharer& b) { return a.facet == b.facet; }),
     sharers.end());
-  if (sharers.size() < 2) // the facet shares its place elsewhere
+  if (sharers.size() < 2)
   {
-    sharers.assign(
-      1, { hit.facet, hit.barycentric, AllCorners & ~unsigned{ this->Shared[hit.facet] } });
+    // The facet shares its place elsewhere, or rounding has put the point beside the others.
+    sharers.assign(1, { hit.facet, hit.barycentric, AllCorners });
   }
   else if (sharers.back().facet != hit.facet)
   {
