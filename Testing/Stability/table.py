@@ -22,7 +22,7 @@ SUITES = {  # those whose names do not tell the case
     "FilterNormals": 2, "FilterShapes": 3, "FilterDegenerate": 3, "FilterGhosts": 3,
     "FilterSheets": 3, "FilterPlace": 4, "FilterInput": 10,
     "FilterLife": 10, "FilterDeletion": 10, "FilterSettings": 10, "Fuzz": 11, "FilterFuzz": 11,
-    "FilterMemory": 12, "FilterWiring": 7,
+    "FilterMemory": 12, "FilterWiring": 7, "LampPlace": 7, "FilterMissingLight": 7, "LargeSite": 4,
 }
 
 

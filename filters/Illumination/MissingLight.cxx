@@ -23,6 +23,7 @@ using PhotonTransport::Luminaire;
 constexpr double MostOnBacks = 0.1;
 constexpr double MostEscaped = 0.99;
 constexpr double MostEscapedFromAfar = 0.9;
+constexpr double MostEscapedFromClosed = 0.1;
 constexpr double WorthANote = 0.1;
 constexpr double LeastOfOutdoorLight = 1e-4;
 
@@ -49,9 +50,34 @@ enum class Loss
   OutsideMissed  ///< Light from outside met nothing.
 };
 
-Loss LossOf(const Luminaire& luminaire, const Arrivals& lamp, const Box& surface, bool backSide)
+/// Whether fronts see nothing but the surface: of a thousand scattered photons or more, less than
+/// one in a thousand left the scene, those not counted that had come from outside, to backs.
+/// Nothing is known of a surface that scatters none.
+bool IsClosed(const IlluminationRun& run)
 {
-  const std::uint64_t onBacks = backSide ? 0 : lamp.back;
+  const PhotonTransport::PhotonBalance balance = run.Balance();
+  std::uint64_t fromOutside = 0;
+  for (const Arrivals& lamp : run.ArrivalsByLamp())
+  {
+    fromOutside += lamp.escaped + lamp.back;
+  }
+  const std::uint64_t scattered = balance.segments - balance.emitted;
+  const std::uint64_t escaped = balance.escaped - std::min(balance.escaped, fromOutside);
+  constexpr std::uint64_t Enough = 1000;
+  return scattered >= Enough && escaped * Enough < scattered;
+}
+
+/// What a lamp's light meets.
+struct Surroundings
+{
+  Box surface;
+  bool closed;
+  bool backSide; ///< Whether backs are registered.
+};
+
+Loss LossOf(const Luminaire& luminaire, const Arrivals& lamp, const Surroundings& around)
+{
+  const std::uint64_t onBacks = around.backSide ? 0 : lamp.back;
   const std::uint64_t met = lamp.Emitted() - lamp.escaped;
   if (ComesFromOutside(luminaire))
   {
@@ -63,12 +89,16 @@ Loss LossOf(const Luminaire& luminaire, const Arrivals& lamp, const Box& surface
     return closed ? Loss::OutsideClosed : Loss::None;
   }
   const std::optional<glm::dvec3> place = PlaceOf(luminaire.lamp);
-  const double mostEscaped = place && IsFar(*place, surface) ? MostEscapedFromAfar : MostEscaped;
-  if (Share(lamp.escaped, lamp.Emitted()) > mostEscaped)
+  const double escaped = Share(lamp.escaped, lamp.Emitted());
+  if (escaped > (place && IsFar(*place, around.surface) ? MostEscapedFromAfar : MostEscaped))
   {
     return Loss::Escaped;
   }
-  return Share(onBacks, met) > MostOnBacks ? Loss::OnBacks : Loss::None;
+  if (Share(onBacks, met) > MostOnBacks)
+  {
+    return Loss::OnBacks;
+  }
+  return around.closed && escaped > MostEscapedFromClosed ? Loss::Escaped : Loss::None;
 }
 
 template <typename... Parts>
@@ -96,12 +126,13 @@ struct Lost
 Lost AllThatLost(Loss way, const TracedScene& traced)
 {
   const std::vector<Arrivals> arrivals = traced.run.ArrivalsByLamp();
-  const Box surface = BoxOf(traced.blocks.Surface());
+  const Surroundings around{ BoxOf(traced.blocks.Surface()), IsClosed(traced.run),
+    traced.backSide };
   const auto missing = [](const Arrivals& lamp) { return lamp.back + lamp.escaped; };
   Lost lost;
   for (std::size_t lamp = 0; lamp < arrivals.size(); ++lamp)
   {
-    if (LossOf(traced.lighting.luminaires[lamp], arrivals[lamp], surface, traced.backSide) == way)
+    if (LossOf(traced.lighting.luminaires[lamp], arrivals[lamp], around) == way)
     {
       if (lost.lamps.empty() || missing(arrivals[lamp]) > missing(arrivals[lost.worst]))
       {

@@ -17,7 +17,8 @@ class vtkFieldData;
 /// Lamps: a warning where more than a tenth of what met the surface fell on backs that let no light
 /// through. Light that meets nothing is often meant to, as a lamp over a table loses nine tenths: a
 /// warning only where more than 99 % of a lamp's light left the scene, or 90 % if the lamp is
-/// farther from the surface than that is across. A note from a tenth on, for all lamps together.
+/// farther from the surface than that is across, or a tenth if the surface is closed, so that no
+/// scattered light leaves it. A note from a tenth on, for all lamps together.
 ///
 /// Parallel light and skies start over the whole scene, so that most of it rightly meets nothing,
 /// or the outside of a building: a warning where less than 1 in 10^4 of what met the surface fell
