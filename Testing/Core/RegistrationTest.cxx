@@ -71,7 +71,7 @@ TEST(HitWeights, FacetRatioIsTheQuotientOfCosines)
   EXPECT_GT(std::fabs(m - 1.0f), 0.01f);
 }
 
-// DESIGN 4.1: where the fast path may be taken it equals the walk round the ring.
+// Where the fast path may be taken it equals the walk round the ring.
 TEST(ShownArea, FastPathEqualsTheRing)
 {
   const Scene scene(Shapes::UvSphere(16, 8, Facing::Outward));
@@ -93,7 +93,7 @@ TEST(ShownArea, FastPathEqualsTheRing)
   EXPECT_GT(fast, 10000);
 }
 
-// With n_i along a_i the weight is at most 1 / |a_i|, in units of A_i (DESIGN 4.1).
+// With n_i along a_i the weight is at most 1 / |a_i|, in units of A_i.
 TEST(HitWeights, VertexNormalisedIsBoundedWhereNormalsFollowTheRing)
 {
   Surface surface = Shapes::Icosphere(2, Facing::Outward);
@@ -156,7 +156,7 @@ double SecondMoment(const Scene& scene, const glm::vec3& barycentric, float boun
 
 } // namespace
 
-// DESIGN 4.1: with light from all sides FacetRatio's factor has no second moment. Under a bound W
+// With light from all sides FacetRatio's factor has no second moment. Under a bound W
 // it grows by the same step each time W is multiplied by 8, without end; a step is sin^2(a)/2
 // ln(8), a the tilt of the smooth normal. VertexNormalised's has one: no step.
 TEST(HitWeights, OnlyFacetRatioLacksAVariance)

@@ -50,7 +50,7 @@ struct Case
   Surface surface;
   Lamp lamp;
   std::vector<double> exact;
-  double largestBias; ///< Of VertexNormalised, as DESIGN measured it.
+  double largestBias; ///< Of VertexNormalised, as the first prototype measured it.
   std::vector<bool> counts = {};
 };
 

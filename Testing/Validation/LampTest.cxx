@@ -165,7 +165,7 @@ TEST(Parallel, LightsAPlaneEvenly)
 }
 
 // Light from all sides gives pi L everywhere. Where a facet is tilted by a against the smooth
-// surface FacetRatio registers only (1 + cos a) / 2 of it (DESIGN 4.1); VertexNormalised all of it.
+// surface FacetRatio registers only (1 + cos a) / 2 of it; VertexNormalised all of it.
 TEST(WholeSky, IsSeenWholeByVertexNormalisedOnly)
 {
   const Scene scene(Shapes::Icosphere(1, Facing::Outward));
