@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Luminaires as field data and as emitting surfaces: what comes back, and what is refused.
-#include "TestTools.h"
-
-#include "LuminaireFields.h"
-#include "SceneBlocks.h"
+#include "LuminaireTools.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -88,21 +85,6 @@ void CheckSolid(Checks& check)
     "a sky all round");
 }
 
-/// Expects that the data are refused with these words.
-void Expect(vtkPolyData* data, const std::string& words, Checks& check)
-{
-  std::string error = "nothing refused";
-  try
-  {
-    ReadLuminaire(data);
-  }
-  catch (const InputError& refusal)
-  {
-    error = refusal.what();
-  }
-  check(error.find(words) != std::string::npos, "expected '" + words + "', not '" + error + "'");
-}
-
 void SetNumbers(vtkPolyData* data, const char* name, const std::vector<double>& numbers)
 {
   vtkNew<vtkDoubleArray> array;
@@ -126,48 +108,49 @@ void CheckFieldErrors(Checks& check)
 {
   auto disk = Carrier({ DiskLamp(), "" });
   SetText(disk, "LuminousFlux", "much");
-  Expect(disk, "field array 'LuminousFlux' is a vtkStringArray, not numbers", check);
+  ExpectRefused(disk, "field array 'LuminousFlux' is a vtkStringArray, not numbers", check);
   disk->GetFieldData()->RemoveArray("LuminousFlux");
-  Expect(disk, "field array 'LuminousFlux' is missing", check);
+  ExpectRefused(disk, "field array 'LuminousFlux' is missing", check);
   SetNumbers(disk, "LuminousFlux", { std::nan("") });
-  Expect(disk, "field array 'LuminousFlux' has the value nan", check);
+  ExpectRefused(disk, "field array 'LuminousFlux' has the value nan", check);
   SetNumbers(disk, "LuminousFlux", { 1.0 });
   SetNumbers(disk, "LuminairePosition", { 1.0, 2.0 });
-  Expect(disk, "field array 'LuminairePosition' has 2 values; 3 are wanted", check);
+  ExpectRefused(disk, "field array 'LuminairePosition' has 2 values; 3 are wanted", check);
   SetNumbers(disk, "LuminairePosition", { 1.0, 2.0, 3.0 });
   check(ReadLuminaire(disk).has_value(), "three numbers of one component are a position too");
   SetNumbers(disk, "LuminaireColour", { 0.0, 0.0, 0.0 });
-  Expect(disk, "field array 'LuminaireColour' is (0, 0, 0)", check);
+  ExpectRefused(disk, "field array 'LuminaireColour' is (0, 0, 0)", check);
   SetNumbers(disk, "LuminaireName", { 1.0 });
-  Expect(disk, "field array 'LuminaireName' is not one text", check);
+  ExpectRefused(disk, "field array 'LuminaireName' is not one text", check);
   SetText(disk, "LuminaireType", "Candle");
-  Expect(disk, "'LuminaireType' is 'Candle'; known types are Parallel, Point,", check);
+  ExpectRefused(disk, "'LuminaireType' is 'Candle'; known types are Parallel, Point,", check);
 
   auto rectangle = Carrier({ RectangleLamp(), "" });
   SetNumbers(rectangle, "LuminaireSize", { 1.0 });
-  Expect(rectangle, "field array 'LuminaireSize' has 1 values; 2 are wanted", check);
+  ExpectRefused(rectangle, "field array 'LuminaireSize' has 1 values; 2 are wanted", check);
   auto sky = Carrier({ CieSky(), "" });
   SetNumbers(sky, "SkyType", { 1.5 });
-  Expect(sky, "field array 'SkyType' is 1.5", check);
+  ExpectRefused(sky, "field array 'SkyType' is 1.5", check);
 }
 
 void CheckSolidErrors(Checks& check)
 {
   auto data = Carrier({ SolidOfTypeB(), "" });
   SetText(data, "PhotometricType", "D");
-  Expect(data, "field array 'PhotometricType' is 'D'", check);
+  ExpectRefused(data, "field array 'PhotometricType' is 'D'", check);
   SetText(data, "PhotometricType", "C");
   SetNumbers(data, "PhotometricCandela", { 1.0, 2.0, 3.0, 4.0, 5.0 });
-  Expect(data, "field array 'PhotometricCandela' has 5 values; 6 are wanted", check);
+  ExpectRefused(data, "field array 'PhotometricCandela' has 5 values; 6 are wanted", check);
   SetNumbers(data, "PhotometricCandela", { 1.0, 2.0, 3.0, 4.0, 5.0, -6.0 });
-  Expect(data, "field array 'PhotometricCandela' has values below 0", check);
+  ExpectRefused(data, "field array 'PhotometricCandela' has values below 0", check);
   SetNumbers(data, "PhotometricPolar", { 0.0, 90.0, 90.0 });
-  Expect(data, "field array 'PhotometricPolar' does not hold two or more rising angles", check);
+  ExpectRefused(
+    data, "field array 'PhotometricPolar' does not hold two or more rising angles", check);
   SetNumbers(data, "PhotometricPolar", { 0.0, 90.0, 190.0 });
-  Expect(data, "field array 'PhotometricPolar' leaves [0, 180]", check);
+  ExpectRefused(data, "field array 'PhotometricPolar' leaves [0, 180]", check);
   SetNumbers(data, "PhotometricPolar", { 0.0, 90.0, 180.0 });
   SetNumbers(data, "PhotometricAzimuth", { 0.0, 361.0 });
-  Expect(data, "field array 'PhotometricAzimuth' covers more than 360", check);
+  ExpectRefused(data, "field array 'PhotometricAzimuth' covers more than 360", check);
 }
 
 /// A square of area 4 that faces +z and a triangle strip of area 4 to its right, which faces +z
@@ -251,22 +234,23 @@ void CheckSurfaceErrors(Checks& check)
   auto panels = Panels(1);
   vtkDataArray* exitance = panels->GetCellData()->GetArray("Exitance");
   exitance->SetTuple1(1, -2.0);
-  Expect(panels, "cell 1: exitance -2 in array 'Exitance'", check);
+  ExpectRefused(panels, "cell 1: exitance -2 in array 'Exitance'", check);
   exitance->SetTuple1(1, std::nan(""));
-  Expect(panels, "cell 1: exitance nan", check);
+  ExpectRefused(panels, "cell 1: exitance nan", check);
   exitance->SetTuple1(1, 2.0);
   panels->GetPoints()->SetPoint(4, 0.0, HUGE_VAL, 0.0);
-  Expect(panels, "point 4: its coordinates (0, inf, 0), which cell 1 uses, are not finite", check);
+  ExpectRefused(
+    panels, "point 4: its coordinates (0, inf, 0), which cell 1 uses, are not finite", check);
   panels->GetPoints()->SetPoint(4, 0.0, 0.0, 0.0);
   exitance->SetNumberOfTuples(1);
-  Expect(panels, "cell array 'Exitance' has 1 values for 2 cells", check);
-  Expect(Panels(2), "cell array 'Exitance' has 2 components", check);
+  ExpectRefused(panels, "cell array 'Exitance' has 1 values for 2 cells", check);
+  ExpectRefused(Panels(2), "cell array 'Exitance' has 2 components", check);
 
   auto empty = Panels(1);
   empty->SetPolys(nullptr);
   empty->SetStrips(nullptr);
   empty->GetCellData()->GetArray("Exitance")->SetNumberOfTuples(0);
-  Expect(empty, "no polygons or triangle strips", check);
+  ExpectRefused(empty, "no polygons or triangle strips", check);
 }
 
 } // namespace
