@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIlluminationMap.h"
 
-#include "CoreSettings.h"
-#include "IlluminationArrays.h"
-#include "LuminaireInput.h"
-#include "MissingLight.h"
-#include "OneRank.h"
-#include "Pipeline.h"
-#include "SceneBlocks.h"
-#include "SceneWarnings.h"
+#include "Illumination/luminaires/LuminaireInput.h"
+#include "Illumination/map/CoreSettings.h"
+#include "Illumination/map/IlluminationArrays.h"
+#include "Illumination/map/MissingLight.h"
+#include "Illumination/map/SceneBlocks.h"
+#include "Illumination/map/SceneWarnings.h"
+#include "Illumination/pipeline/InputError.h"
+#include "Illumination/pipeline/OneRank.h"
+#include "Illumination/pipeline/Pipeline.h"
 
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/scene/Scene.h"
@@ -24,6 +25,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
 #include <algorithm>

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIlluminationMapSmoothing.h"
 
-#include "CoreSettings.h"
-#include "FieldArrays.h"
-#include "MapBlocks.h"
-#include "OneRank.h"
-#include "Pipeline.h"
+#include "Illumination/map/CoreSettings.h"
+#include "Illumination/map/MapBlocks.h"
+#include "Illumination/pipeline/FieldArrays.h"
+#include "Illumination/pipeline/InputError.h"
+#include "Illumination/pipeline/OneRank.h"
+#include "Illumination/pipeline/Pipeline.h"
 
 #include "PhotonTransport/filtration/Filtration.h"
 #include "PhotonTransport/scene/InvalidInput.h"

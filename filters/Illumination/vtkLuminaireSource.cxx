@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLuminaireSource.h"
 
-#include "LuminaireFields.h"
-#include "LuminaireGeometry.h"
-#include "LuminairePlace.h"
-#include "LuminaireSettings.h"
+#include "Illumination/luminaires/LuminaireFields.h"
+#include "Illumination/luminaires/LuminaireGeometry.h"
+#include "Illumination/luminaires/LuminairePlace.h"
+#include "Illumination/luminaires/LuminaireSettings.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceMaterial.h"
 
-#include "CoreSettings.h"
-#include "InputChecks.h"
-#include "MaterialCells.h"
-#include "MaterialPresets.h"
-#include "Pipeline.h"
-#include "SceneBlocks.h"
+#include "Illumination/map/CoreSettings.h"
+#include "Illumination/materials/MaterialCells.h"
+#include "Illumination/materials/MaterialPresets.h"
+#include "Illumination/pipeline/InputError.h"
+#include "Illumination/pipeline/Pipeline.h"
+#include "Illumination/surface/InputChecks.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SceneBlock_h
+#define SceneBlock_h
+
+#include "Illumination/surface/SurfaceTriangles.h"
+
+#include "vtkType.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+/// A vertex of the scene whose values a ghost point gets, too.
+struct BorrowedVertex
+{
+  std::size_t vertex; ///< Of the scene.
+  std::size_t point;  ///< Of the block.
+};
+
+/// One vtkPolyData of the scene and where its parts went in the Surface.
+struct SceneBlock
+{
+  vtkPolyData* data = nullptr; ///< Points and cells of this block.
+  std::string name;            ///< " of block 2", or "" where there is only one.
+  std::size_t firstVertex = 0;
+  std::size_t firstFacet = 0;
+  std::vector<vtkIdType> pointOfVertex; ///< A point has more than one where normals were split.
+  std::vector<vtkIdType> cellOfFacet;
+  bool normalsWereComputed = false;
+  LeftOut ghosts;                       ///< As SurfaceTriangles says.
+  LeftOut withoutArea;                  ///< Likewise.
+  LeftOut uncut;                        ///< Likewise.
+  std::vector<BorrowedVertex> borrowed; ///< Of the block's ghost points.
+  std::vector<bool> borrows;            ///< Which points have a borrowed one; or empty.
+  std::size_t ownerlessGhosts = 0;      ///< Points: see GhostPoints.
+  vtkIdType firstOwnerlessGhost = -1;
+};
+
+#endif
