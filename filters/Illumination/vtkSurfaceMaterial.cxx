@@ -25,6 +25,9 @@
 
 vtkStandardNewMacro(vtkSurfaceMaterial);
 
+static_assert(static_cast<int>(MaterialPreset::WhitePaint) == vtkSurfaceMaterial::WHITE_PAINT &&
+  static_cast<int>(MaterialPreset::FrostedGlass) == vtkSurfaceMaterial::FROSTED_GLASS);
+
 namespace
 {
 
@@ -130,7 +133,7 @@ PhotonTransport::Material MaterialOf(vtkSurfaceMaterial* filter)
 {
   if (filter->GetPreset() != vtkSurfaceMaterial::CUSTOM)
   {
-    return PresetMaterial(filter->GetPreset());
+    return MaterialOf(static_cast<MaterialPreset>(filter->GetPreset()));
   }
   PhotonTransport::Material material;
   material.diffuseReflectance = Colour(filter->GetDiffuseReflectance());
@@ -194,7 +197,7 @@ int vtkSurfaceMaterial::RequestData(
 void vtkSurfaceMaterial::Assign(vtkDataObject* output)
 {
   const PhotonTransport::Material material = MaterialOf(this);
-  RequireValid(material, "");
+  RequireValid(ValuesOf(material), "");
   const std::string cellArray = ArrayName(this->CellArray.c_str());
   bool hadChoice = false;
   bool choseAny = false;

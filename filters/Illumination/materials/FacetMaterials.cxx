@@ -1,100 +1,73 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Illumination/materials/FacetMaterials.h"
 
-#include "Illumination/materials/MaterialArrays.h"
+#include "Illumination/materials/MaterialCells.h"
 #include "Illumination/pipeline/InputError.h"
-#include "Illumination/surface/CellValues.h"
 #include "Illumination/surface/InputChecks.h"
 
-#include "PhotonTransport/materials/Scattering.h"
+#include "PhotonTransport/materials/MaterialProperties.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
 #include <array>
 #include <map>
 
 namespace
 {
 
-using PhotonTransport::Colour;
-using PhotonTransport::Material;
+using namespace PhotonTransport;
 
-constexpr const char* OtherArrays[] = { MaterialArrays::SpecularReflectance,
-  MaterialArrays::GlossyReflectance, MaterialArrays::DiffuseTransmittance,
-  MaterialArrays::ClearTransmittance, MaterialArrays::Roughness, MaterialArrays::RefractiveIndex,
-  MaterialArrays::SolidBody };
-
-bool Has(const SceneBlock& block, const char* array)
+/// The array that describes a property in a block; empty if none does. Diffuse reflectance, the
+/// first property, may have an array of any name.
+std::string ArrayOf(
+  std::size_t property, const SceneBlock& block, const SurfaceDescription& surface)
 {
-  return block.data->GetCellData()->HasArray(array) != 0;
+  if (property == 0 && !surface.reflectanceArray.empty())
+  {
+    return surface.reflectanceArray;
+  }
+  const char* name = MaterialProperties[property].name;
+  const bool given = surface.materialArrays && block.data->GetCellData()->HasArray(name) != 0;
+  return given ? name : "";
 }
 
-/// The array that says how a block reflects diffusely; empty if none does.
-std::string DiffuseArray(const SceneBlock& block, const SurfaceDescription& description)
-{
-  const bool byName = description.reflectanceArray.empty() && description.materialArrays &&
-    Has(block, MaterialArrays::DiffuseReflectance);
-  return byName ? MaterialArrays::DiffuseReflectance : description.reflectanceArray;
-}
-
-/// Whether a block only reflects diffusely, without colour.
-bool IsPlain(const SceneBlock& block, const SurfaceDescription& description)
-{
-  const bool others = description.materialArrays &&
-    std::any_of(std::begin(OtherArrays), std::end(OtherArrays),
-      [&](const char* array) { return Has(block, array); });
-  vtkDataArray* diffuse =
-    block.data->GetCellData()->GetArray(DiffuseArray(block, description).c_str());
-  return !others && !(diffuse && diffuse->GetNumberOfComponents() == 3);
-}
-
-CellValues DiffuseOf(const SceneBlock& block, const SurfaceDescription& description)
-{
-  const std::string array = DiffuseArray(block, description);
-  return array.empty() ? CellValues(description.material.diffuseReflectance)
-                       : CellValues(block, array, { "reflectance", 1.0 });
-}
-
-/// The materials of a block's cells.
+/// The materials of a block's cells, as arrays and properties say.
 class BlockMaterials
 {
 public:
-  BlockMaterials(const SceneBlock& block, const SurfaceDescription& description)
-    : Diffuse(DiffuseOf(block, description))
+  /// Throws InputError for arrays that are not numbers, one tuple of the right size a cell.
+  BlockMaterials(const SceneBlock& block, const SurfaceDescription& surface)
+    : Common(ValuesOf(surface.material))
   {
-    const Material& common = description.material;
-    const auto add = [&](const char* array, const CellValueKind& kind, const Colour& constant)
+    for (std::size_t p = 0; p < MaterialProperties.size(); ++p)
     {
-      const bool given = description.materialArrays && Has(block, array);
-      this->Others.push_back(given ? CellValues(block, array, kind) : CellValues(constant));
-    };
-    add(MaterialArrays::SpecularReflectance, { "specular reflectance", 1.0 },
-      common.specularReflectance);
-    add(MaterialArrays::GlossyReflectance, { "glossy reflectance", 1.0 }, common.glossyReflectance);
-    add(MaterialArrays::DiffuseTransmittance, { "diffuse transmittance", 1.0 },
-      common.diffuseTransmittance);
-    add(MaterialArrays::ClearTransmittance, { "clear transmittance", 1.0 },
-      common.clearTransmittance);
-    add(MaterialArrays::Roughness, { "roughness", 1.0, false }, Colour(common.roughness));
-    add(MaterialArrays::RefractiveIndex, { "refractive index", 4.0, false },
-      Colour(common.refractiveIndex));
-    add(
-      MaterialArrays::SolidBody, { "solid body", 1.0, false }, Colour(common.solid ? 1.0f : 0.0f));
+      const std::string array = ArrayOf(p, block, surface);
+      const bool colours = IsShare(MaterialProperties[p]);
+      this->Arrays[p] =
+        array.empty() ? nullptr : CheckedCellArray(block.data, array, block.name, colours);
+    }
   }
 
-  Material Of(vtkIdType cell) const
+  MaterialValues Of(vtkIdType cell) const
   {
-    const auto value = [&](std::size_t array) { return this->Others[array].Of(cell); };
-    return { this->Diffuse.Of(cell), value(0), value(1), value(2), value(3), value(4).x, value(5).x,
-      value(6).x > 0.5f };
+    MaterialValues values = this->Common;
+    for (std::size_t p = 0; p < MaterialProperties.size(); ++p)
+    {
+      for (int c = 0; this->Arrays[p] && c < ComponentsOf(MaterialProperties[p]); ++c)
+      {
+        const int from = c % this->Arrays[p]->GetNumberOfComponents(); // 1 stands for grey
+        values[3 * p + static_cast<std::size_t>(c)] =
+          static_cast<float>(this->Arrays[p]->GetComponent(cell, from));
+      }
+    }
+    return values;
   }
 
 private:
-  CellValues Diffuse;
-  std::vector<CellValues> Others; ///< In the order of Material's members.
+  MaterialValues Common;
+  std::array<vtkDataArray*, MaterialProperties.size()> Arrays{};
 };
 
 /// Finds out which materials are the same.
@@ -106,67 +79,64 @@ public:
   {
   }
 
-  std::uint32_t Of(const Material& material)
+  /// Throws what refuse(problem) throws for values that are no material.
+  template <typename Refuse>
+  std::uint32_t Of(const MaterialValues& values, const Refuse& refuse)
   {
-    Key key;
-    auto next = key.begin();
-    for (const Colour& share : { material.diffuseReflectance, material.specularReflectance,
-           material.glossyReflectance, material.diffuseTransmittance, material.clearTransmittance,
-           Colour(material.roughness, material.refractiveIndex, material.solid ? 1.0f : 0.0f) })
+    if (!this->Materials.empty() && values == this->LastValues) // as most neighbours are
     {
-      next = std::copy(&share.x, &share.x + 3, next);
+      return this->Last;
+    }
+    const std::string problem =
+      ProblemOf(values); // first: values that are no numbers have no order
+    if (!problem.empty())
+    {
+      refuse(problem);
     }
     const auto [place, isNew] =
-      this->Known.emplace(key, static_cast<std::uint32_t>(this->Materials.size()));
+      this->Known.emplace(values, static_cast<std::uint32_t>(this->Materials.size()));
     if (isNew)
     {
-      this->Materials.push_back(material);
+      this->Materials.push_back(MaterialOf(values));
     }
-    return place->second;
+    this->LastValues = values;
+    return this->Last = place->second;
   }
 
 private:
-  using Key = std::array<float, 18>;
   std::vector<Material>& Materials;
-  std::map<Key, std::uint32_t> Known;
+  std::map<MaterialValues, std::uint32_t> Known;
+  MaterialValues LastValues{};
+  std::uint32_t Last = 0;
 };
 
-bool IsPlain(const Material& material)
+/// Which array holds the first property, where its name does not say so.
+std::string NoteOnArray(const std::string& reflectanceArray)
 {
-  const PhotonTransport::ScatteringSet diffuse =
-    SetOf(PhotonTransport::Scattering::DiffuseReflection);
-  return (ScatteringsOf(material) & ~diffuse) == 0 && !IsColoured(material);
+  const std::string name = MaterialProperties.front().name;
+  return reflectanceArray.empty() || reflectanceArray == name
+    ? ""
+    : "; " + name + " is the array '" + reflectanceArray + "'";
 }
 
 } // namespace
 
-void DescribeMaterials(const std::vector<SceneBlock>& blocks, const SurfaceDescription& description,
-  PhotonTransport::Surface& surface)
+void DescribeMaterials(
+  const std::vector<SceneBlock>& blocks, const SurfaceDescription& description, Surface& surface)
 {
-  const std::string problem = ProblemOf(description.material);
-  if (!problem.empty())
-  {
-    throw InputError("the material of cells without arrays: " + problem);
-  }
-  const bool plain = IsPlain(description.material) &&
-    std::all_of(blocks.begin(), blocks.end(),
-      [&](const SceneBlock& block) { return IsPlain(block, description); });
+  RequireValid(ValuesOf(description.material), "the material of cells without arrays: ");
   MaterialIndex index(surface.materials);
   for (const SceneBlock& block : blocks)
   {
-    if (plain)
-    {
-      const CellValues diffuse = DiffuseOf(block, description);
-      for (const vtkIdType cell : block.cellOfFacet)
-      {
-        surface.reflectance.push_back(diffuse.Of(cell).x);
-      }
-      continue;
-    }
     const BlockMaterials materials(block, description);
     for (const vtkIdType cell : block.cellOfFacet)
     {
-      surface.materialOfFacet.push_back(index.Of(materials.Of(cell)));
+      const auto refuse = [&](const std::string& problem)
+      {
+        throw InputError("cell " + std::to_string(cell) + block.name + ": " + problem +
+          NoteOnArray(description.reflectanceArray));
+      };
+      surface.materialOfFacet.push_back(index.Of(materials.Of(cell), refuse));
     }
   }
 }

@@ -9,8 +9,8 @@
 
 #include <vector>
 
-/// Gives the facets of all blocks their materials, from cell arrays and properties: as reflectances
-/// alone where nothing else is described. Throws InputError that names array, cell and value.
+/// Gives the facets of all blocks their materials, from cell arrays and properties. Throws
+/// InputError that names array or property, cell and value.
 void DescribeMaterials(const std::vector<SceneBlock>& blocks, const SurfaceDescription& description,
   PhotonTransport::Surface& surface);
 

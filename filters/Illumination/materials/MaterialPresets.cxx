@@ -9,8 +9,6 @@
 //          WindowShadeMaterials.idf.
 #include "Illumination/materials/MaterialPresets.h"
 
-#include "vtkSurfaceMaterial.h"
-
 namespace
 {
 
@@ -69,31 +67,31 @@ Material ClearGlass()
 
 } // namespace
 
-Material PresetMaterial(int preset)
+Material MaterialOf(MaterialPreset preset)
 {
   switch (preset)
   {
-    case vtkSurfaceMaterial::WHITE_PAINT: // 0.80 to 0.90, LR; 0.80, OSRAM; 0.90, LRC
+    case MaterialPreset::WhitePaint: // 0.80 to 0.90, LR; 0.80, OSRAM; 0.90, LRC
       return Matt(0.85f);
-    case vtkSurfaceMaterial::PLASTER: // 0.70 to 0.80, DIAL (gypsum)
+    case MaterialPreset::Plaster: // 0.70 to 0.80, DIAL (gypsum)
       return Matt(0.75f);
-    case vtkSurfaceMaterial::CONCRETE: // 0.20 to 0.30, DIAL (untreated); 0.30, OSRAM
+    case MaterialPreset::Concrete: // 0.20 to 0.30, DIAL (untreated); 0.30, OSRAM
       return Matt(0.25f);
-    case vtkSurfaceMaterial::WOOD:
+    case MaterialPreset::Wood:
       // Oak, L* 65.5, a* 8.8, b* 20.7 (D65): L. Dzurenda, BioResources 13 (2018) 1525, mildly
       // steamed. Luminous reflectance 0.35; light wood has 0.30 to 0.60, DIAL.
       return Matt(Colour(0.50f, 0.32f, 0.20f));
-    case vtkSurfaceMaterial::FABRIC: // curtains and lamp shades: E+ (medium reflect, medium trans)
+    case MaterialPreset::Fabric: // curtains and lamp shades: E+ (medium reflect, medium trans)
       return Translucent(0.5f, 0.4f);
-    case vtkSurfaceMaterial::BLACK_PAINT: // 0.03 to 0.10, LR; nearer to its middle by ratio
+    case MaterialPreset::BlackPaint: // 0.03 to 0.10, LR; nearer to its middle by ratio
       return Matt(0.05f);
-    case vtkSurfaceMaterial::ALUMINIUM:
+    case MaterialPreset::Aluminium:
       return Aluminium();
-    case vtkSurfaceMaterial::MIRROR:
+    case MaterialPreset::Mirror:
       return Mirror();
-    case vtkSurfaceMaterial::CLEAR_GLASS:
+    case MaterialPreset::ClearGlass:
       return ClearGlass();
-    case vtkSurfaceMaterial::FROSTED_GLASS:
+    case MaterialPreset::FrostedGlass:
       // What the pane of clear glass does to light from all sides by Fresnel's formulae, now
       // without direction; prismatic glass transmits 0.70 to 0.90 and reflects 0.05 to 0.20, DIAL.
       return Translucent(0.15f, 0.81f);

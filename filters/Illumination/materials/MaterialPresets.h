@@ -4,7 +4,22 @@
 
 #include "PhotonTransport/materials/Material.h"
 
-/// The material of a preset. @param preset One of vtkSurfaceMaterial::Presets, but not CUSTOM.
-PhotonTransport::Material PresetMaterial(int preset);
+/// Numbered as vtkSurfaceMaterial::Presets.
+enum class MaterialPreset
+{
+  WhitePaint = 1,
+  MidGrey,
+  Plaster,
+  Concrete,
+  Wood,
+  Fabric,
+  BlackPaint,
+  Aluminium,
+  Mirror,
+  ClearGlass,
+  FrostedGlass
+};
+
+PhotonTransport::Material MaterialOf(MaterialPreset preset);
 
 #endif

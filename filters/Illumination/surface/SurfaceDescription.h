@@ -11,7 +11,7 @@ struct SurfaceDescription
 {
   PhotonTransport::Material material; ///< Where no array says otherwise.
   std::string reflectanceArray;       ///< Empty: the array of the usual name, if there is one.
-  bool materialArrays = true;         ///< Whether arrays of MaterialArrays' names count.
+  bool materialArrays = true;         ///< Whether arrays named as MaterialProperties count.
   std::string exitanceArray;          ///< Empty: nothing emits.
   double metresPerUnit = 1.0;
   double featureAngle = 30.0; ///< Degrees.
