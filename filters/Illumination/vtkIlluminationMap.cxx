@@ -2,7 +2,6 @@
 #include "vtkIlluminationMap.h"
 
 #include "Illumination/luminaires/LuminaireInput.h"
-#include "Illumination/map/CoreSettings.h"
 #include "Illumination/map/IlluminationArrays.h"
 #include "Illumination/map/MissingLight.h"
 #include "Illumination/map/SceneBlocks.h"
@@ -55,7 +54,9 @@ std::string Message(const InvalidInput& error, const SceneBlocks& blocks)
   }
 }
 
-/// Identity of a data object: a time stamp that no other state of any object has.
+/// When data and filter last changed; no two states of any objects have the same time.
+using Origins = std::vector<vtkMTimeType>;
+
 vtkMTimeType LatestChange(vtkDataObject* data)
 {
   vtkMTimeType latest = data->GetMTime();
@@ -72,32 +73,21 @@ vtkMTimeType LatestChange(vtkDataObject* data)
 
 } // namespace
 
-/// A run that the next execution may go on with.
+/// A run that the next execution may go on with, and what its map depends on but for the number of
+/// photons.
 struct vtkIlluminationMap::KeptRun
 {
-  KeptRun(vtkIlluminationMap* filter, const SceneBlocks& blocks,
-    const PhotonTransport::Lighting& lighting, std::string shape)
+  KeptRun(const SceneBlocks& blocks, const PhotonTransport::Lighting& lighting,
+    const PhotonTransport::TraceSettings& settings, Origins madeFrom)
     : Scene(blocks.Surface())
-    , Run(this->Scene, lighting, SettingsOf(filter))
-    , Shape(std::move(shape))
+    , Run(this->Scene, lighting, settings)
+    , MadeFrom(std::move(madeFrom))
   {
-  }
-
-  bool Serves(const std::string& shape, vtkIdType photons) const
-  {
-    return this->Run.CanGoOn() && this->Shape == shape &&
-      static_cast<vtkIdType>(this->Run.Balance().emitted) <= RoundedUp(photons);
-  }
-
-  static vtkIdType RoundedUp(vtkIdType photons)
-  {
-    constexpr vtkIdType Blocks = 2048; // as the core rounds: 8 replicates of 256
-    return (photons + Blocks - 1) / Blocks * Blocks;
   }
 
   PhotonTransport::Scene Scene;
   PhotonTransport::IlluminationRun Run;
-  std::string Shape; ///< See WhatShapesTheMap.
+  Origins MadeFrom;
 };
 
 vtkIlluminationMap::vtkIlluminationMap()
@@ -120,7 +110,7 @@ void vtkIlluminationMap::SetPhotons(vtkIdType photons)
   {
     this->Photons = photons;
     this->PhotonsAsDouble = static_cast<double>(photons);
-    this->Modified();
+    this->Superclass::Modified();
   }
 }
 
@@ -132,33 +122,14 @@ void vtkIlluminationMap::SetPhotonsAsDouble(double photons)
   if (static_cast<double>(this->Photons) != photons) // NaN too
   {
     this->PhotonsAsDouble = photons;
-    this->Modified();
+    this->Superclass::Modified();
   }
 }
 
-/// Everything that the map depends on but for the number of photons.
-std::string vtkIlluminationMap::WhatShapesTheMap(vtkDataObject* input, const Luminaires& luminaires)
+void vtkIlluminationMap::Modified()
 {
-  std::ostringstream shape;
-  shape.precision(17);
-  const auto add = [&](const auto&... values) { ((shape << values << '|'), ...); };
-  for (const LuminaireInput& luminaire : luminaires)
-  {
-    add(static_cast<const void*>(luminaire.data), LatestChange(luminaire.data));
-  }
-  add(this->SpecularReflectance, this->GlossyReflectance, this->DiffuseTransmittance,
-    this->ClearTransmittance, this->Roughness, this->RefractiveIndex, this->SolidBody,
-    this->UseMaterialArrays, this->SpecularReflection, this->GlossyReflection,
-    this->DiffuseTransmission, this->ClearTransmission, this->Refraction, this->Colour,
-    this->LampContributions);
-  add(static_cast<const void*>(input), LatestChange(input), this->LampType, this->LampPosition[0],
-    this->LampPosition[1], this->LampPosition[2], this->LampDirection[0], this->LampDirection[1],
-    this->LampDirection[2], this->LampSize[0], this->LampSize[1], this->SpotHalfAngle,
-    this->SpotExponent, this->LuminousFlux, this->ParallelIlluminance, this->Reflectance,
-    this->ReflectanceArray, this->ExitanceArray, this->Registration, this->Seed, this->Sampling,
-    this->Interreflection, this->RegisterBackSide, this->MetresPerUnit, this->FeatureAngle,
-    this->NumberOfThreads, this->WeightBound, this->MaximumPathLength);
-  return shape.str();
+  this->RunChanged.Modified();
+  this->Superclass::Modified();
 }
 
 int vtkIlluminationMap::FillInputPortInformation(int port, vtkInformation* info)
@@ -246,20 +217,24 @@ int vtkIlluminationMap::RequestData(
 void vtkIlluminationMap::Trace(
   vtkDataObject* input, const Luminaires& luminaires, vtkDataObject* output, vtkTable* accuracy)
 {
-  const SceneBlocks blocks(output, DescriptionOf(this, !luminaires.empty()));
-  const PhotonTransport::Lighting lighting = LightingOf(this, luminaires);
+  const SceneBlocks blocks(output, this->DescribeSurface(!luminaires.empty()));
+  const PhotonTransport::Lighting lighting = this->MakeLighting(luminaires);
   try
   {
-    const PhotonTransport::StopRules rules = RulesOf(this);
+    const PhotonTransport::StopRules rules = this->MakeStopRules();
     Validate(rules);
-    const PhotonTransport::TraceSettings settings = SettingsOf(this);
+    const PhotonTransport::TraceSettings settings = this->MakeTraceSettings();
     Validate(settings);
     const std::uint64_t forGroups = this->GroupMeans ? PhotonTransport::GroupMeansPerVertex : 0;
     const std::uint64_t need = PhotonTransport::MemoryNeed(blocks.Surface(), lighting, settings) +
       blocks.Surface().points.size() * forGroups;
-    const std::uint64_t memoryLimit = MemoryLimitOf(this);
-    const std::string shape = this->WhatShapesTheMap(input, luminaires);
-    if (!this->Kept || !this->Kept->Serves(shape, this->Photons))
+    const std::uint64_t memoryLimit = this->MemoryLimitInBytes();
+    Origins origins{ this->RunChanged, LatestChange(input) };
+    for (const LuminaireInput& luminaire : luminaires)
+    {
+      origins.push_back(LatestChange(luminaire.data));
+    }
+    if (!this->Kept || this->Kept->MadeFrom != origins || !this->Kept->Run.CanGoOnTo(rules.photons))
     {
       this->Kept.reset(); // first, so that two never share the memory
       PhotonTransport::RequireMemory(need, memoryLimit);
@@ -267,7 +242,7 @@ void vtkIlluminationMap::Trace(
         "Building the scene, up to " + std::to_string(need >> 20) + " MiB of memory";
       this->SetProgressText(text.c_str());
       this->UpdateProgress(0.0);
-      this->Kept = std::make_unique<KeptRun>(this, blocks, lighting, shape);
+      this->Kept = std::make_unique<KeptRun>(blocks, lighting, settings, std::move(origins));
     }
     PhotonTransport::IlluminationRun& run = this->Kept->Run;
     const PhotonTransport::StopReason reason = run.Advance(rules,

@@ -51,13 +51,23 @@
 
 #include "vtkIlluminationModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkTimeStamp.h" // for when a run must start anew
 
-#include <memory> // for the kept run
-#include <string> // for array names
-#include <vector> // for luminaires
+#include <cstdint> // for bytes
+#include <memory>  // for the kept run
+#include <string>  // for array names
+#include <vector>  // for luminaires
 
 class vtkTable;
 struct LuminaireInput;
+struct SurfaceDescription;
+
+namespace PhotonTransport
+{
+struct Lighting;
+struct StopRules;
+struct TraceSettings;
+}
 
 class VTKILLUMINATION_EXPORT vtkIlluminationMap : public vtkPolyDataAlgorithm
 {
@@ -71,6 +81,12 @@ public:
    * As ever, but an observer of the progress may delete the filter: it lives until this returns.
    */
   void Update(int port) override;
+
+  /**
+   * The next execution starts anew, whatever has changed. Only the setters of Photons,
+   * TargetRelativeError, TimeLimit, GroupMeans and MemoryLimit let the run go on.
+   */
+  void Modified() override;
 
   enum LampTypes
   {
@@ -270,7 +286,10 @@ public:
    * RMS of StandardError over the mean Illuminance; 0.02 is 2 %, 0 is no target. Where none of
    * 2^20 photons registers no target can be met, and the run ends. Default: 0.
    */
-  vtkSetMacro(TargetRelativeError, double);
+  virtual void SetTargetRelativeError(double error)
+  {
+    this->SetAndKeepRun(this->TargetRelativeError, error);
+  }
   vtkGetMacro(TargetRelativeError, double);
   ///@}
 
@@ -278,7 +297,7 @@ public:
   /**
    * Seconds of tracing to stop at, >= 0; 0 is no limit. Default: 0.
    */
-  vtkSetMacro(TimeLimit, double);
+  virtual void SetTimeLimit(double seconds) { this->SetAndKeepRun(this->TimeLimit, seconds); }
   vtkGetMacro(TimeLimit, double);
   ///@}
 
@@ -379,7 +398,7 @@ public:
    * of four groups of photons, IlluminanceDirectGroups and IlluminanceIndirectGroups (lx, 4
    * components). Costs no tracing, but 64 bytes a point. Default: off.
    */
-  vtkSetMacro(GroupMeans, bool);
+  virtual void SetGroupMeans(bool on) { this->SetAndKeepRun(this->GroupMeans, on); }
   vtkGetMacro(GroupMeans, bool);
   vtkBooleanMacro(GroupMeans, bool);
   ///@}
@@ -437,7 +456,7 @@ public:
    * worked out once the input is cut into triangles, about a tenth of it, and before the rest is
    * taken; it is told in MemoryNeeded, and refused if it is more. Default: 0.
    */
-  vtkSetMacro(MemoryLimit, double);
+  virtual void SetMemoryLimit(double limit) { this->SetAndKeepRun(this->MemoryLimit, limit); }
   vtkGetMacro(MemoryLimit, double);
   ///@}
 
@@ -502,10 +521,27 @@ private:
   using Luminaires = std::vector<LuminaireInput>;
   void Trace(
     vtkDataObject* input, const Luminaires& luminaires, vtkDataObject* output, vtkTable* accuracy);
-  std::string WhatShapesTheMap(vtkDataObject* input, const Luminaires& luminaires);
+
+  // The properties in the core's terms; each throws for values out of range.
+  PhotonTransport::Lighting MakeLighting(const Luminaires& luminaires);
+  PhotonTransport::TraceSettings MakeTraceSettings();
+  PhotonTransport::StopRules MakeStopRules();
+  SurfaceDescription DescribeSurface(bool otherLamps);
+  std::uint64_t MemoryLimitInBytes(); ///< 0 for what the machine has.
+
+  template <typename Value>
+  void SetAndKeepRun(Value& property, Value value)
+  {
+    if (property != value)
+    {
+      property = value;
+      this->Superclass::Modified();
+    }
+  }
 
   struct KeptRun;
   std::unique_ptr<KeptRun> Kept; ///< To go on from.
+  vtkTimeStamp RunChanged;       ///< When something changed that a run can't go on after.
 };
 
 #endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIlluminationMapSmoothing.h"
 
-#include "Illumination/map/CoreSettings.h"
 #include "Illumination/map/MapBlocks.h"
 #include "Illumination/pipeline/FieldArrays.h"
 #include "Illumination/pipeline/InputError.h"
@@ -118,6 +117,22 @@ void AddMaps(const MapBlocks& blocks, const std::string& name, const Maps& maps,
   }
 }
 
+PhotonTransport::FiltrationSettings SettingsOf(vtkIlluminationMapSmoothing* filter)
+{
+  const double angle = filter->GetFeatureAngle();
+  if (!(angle >= 0.0 && angle <= 180.0))
+  {
+    throw InputError(
+      "FeatureAngle is " + std::to_string(angle) + "; it must be within [0, 180] degrees");
+  }
+  PhotonTransport::FiltrationSettings settings;
+  settings.method = static_cast<PhotonTransport::FiltrationMethod>(filter->GetMethod());
+  settings.strength = filter->GetStrength();
+  settings.width = filter->GetWidth();
+  settings.threads = filter->GetNumberOfThreads();
+  return settings;
+}
+
 } // namespace
 
 int vtkIlluminationMapSmoothing::FillInputPortInformation(int, vtkInformation* info)
@@ -183,8 +198,7 @@ void vtkIlluminationMapSmoothing::Smooth(vtkDataObject* output)
   const PhotonTransport::FiltrationSettings settings = SettingsOf(this);
   Validate(settings);
   const MapBlocks blocks(output);
-  const Maps maps =
-    ReadMaps(blocks, this->IlluminanceArray, ArrayName(this->StandardErrorArray.c_str()));
+  const Maps maps = ReadMaps(blocks, this->IlluminanceArray, ArrayName(this->StandardErrorArray));
   try
   {
     std::vector<FilteredMap> filtered;

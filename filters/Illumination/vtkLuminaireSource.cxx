@@ -4,7 +4,6 @@
 #include "Illumination/luminaires/LuminaireFields.h"
 #include "Illumination/luminaires/LuminaireGeometry.h"
 #include "Illumination/luminaires/LuminairePlace.h"
-#include "Illumination/luminaires/LuminaireSettings.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -27,8 +26,8 @@ int vtkLuminaireSource::RequestData(
   vtkPolyData* out = vtkPolyData::GetData(output);
   try
   {
-    const LuminaireGlyph glyph = GlyphOf(this);
-    const PhotonTransport::Luminaire luminaire = LuminaireOf(this);
+    const LuminaireGlyph glyph = this->MakeGlyph();
+    const PhotonTransport::Luminaire luminaire = this->MakeLuminaire();
     out->ShallowCopy(LuminaireGeometry(luminaire.lamp, glyph));
     AddLuminaire(out->GetFieldData(), luminaire);
     RememberPlace(out);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceMaterial.h"
 
-#include "Illumination/map/CoreSettings.h"
 #include "Illumination/materials/MaterialCells.h"
 #include "Illumination/materials/MaterialPresets.h"
 #include "Illumination/pipeline/InputError.h"
@@ -198,7 +197,7 @@ void vtkSurfaceMaterial::Assign(vtkDataObject* output)
 {
   const PhotonTransport::Material material = MaterialOf(this);
   RequireValid(ValuesOf(material), "");
-  const std::string cellArray = ArrayName(this->CellArray.c_str());
+  const std::string cellArray = ArrayName(this->CellArray);
   bool hadChoice = false;
   bool choseAny = false;
   for (const Block& block : BlocksOf(output, this->Blocks))

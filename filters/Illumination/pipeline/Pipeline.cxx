@@ -48,6 +48,11 @@ void PassThrough(vtkDataObject* input, vtkDataObject* output)
   }
 }
 
+std::string ArrayName(const std::string& given)
+{
+  return given == "None" ? "" : given;
+}
+
 bool ProgressReport::operator()(double fraction, const std::string& text)
 {
   const auto now = std::chrono::steady_clock::now();

@@ -22,6 +22,9 @@ bool MakeOutputLikeInput(vtkInformationVector** input, vtkInformationVector* out
 /// Makes the output refer to the input's data, block by block: arrays added to it stay its own.
 void PassThrough(vtkDataObject* input, vtkDataObject* output);
 
+/// ParaView's lists of arrays send the word "None" for no array.
+std::string ArrayName(const std::string& given);
+
 /// Passes progress on, but not more often than a person can see.
 class ProgressReport
 {

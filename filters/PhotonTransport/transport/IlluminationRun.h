@@ -66,6 +66,8 @@ public:
   /// False once an abort has left gaps in the sequences: the map is valid, but going on would not
   /// give the bits that a run in one go gives.
   bool CanGoOn() const { return this->Whole; }
+  /// And whether a run to so many photons would not have ended before.
+  bool CanGoOnTo(std::uint64_t photons) const;
 
   IlluminationMap Front() const { return this->MapOf(&IlluminationSums::front); }
   /// Only if the settings ask for the back to be registered.
@@ -108,6 +110,12 @@ private:
   std::uint64_t BlocksOf(std::uint32_t replicate) const
   {
     return this->Sums.replicates[replicate].balance.emitted / PhotonBlock;
+  }
+  /// Blocks of each replicate for at least so many photons in all.
+  std::uint64_t BlocksFor(std::uint64_t photons) const
+  {
+    const std::uint64_t inOneOfEach = this->Sums.replicates.size() * PhotonBlock;
+    return (photons + inOneOfEach - 1) / inOneOfEach;
   }
   IlluminationMap MapOf(ReplicateSums::Side side) const
   {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Illumination/luminaires/LuminaireSettings.h"
+// The properties of vtkLuminaireSource in the core's terms.
+#include "vtkLuminaireSource.h"
 
+#include "Illumination/luminaires/LuminaireGeometry.h"
 #include "Illumination/pipeline/InputError.h"
 
+#include "PhotonTransport/lights/Lamp.h"
 #include "PhotonTransport/photometry/PhotometricFile.h"
 
-#include "vtkLuminaireSource.h"
 #include "vtkMath.h"
 
 #include <glm/common.hpp>
@@ -220,17 +222,17 @@ Colour ColourOf(vtkLuminaireSource* source)
 
 } // namespace
 
-Luminaire LuminaireOf(vtkLuminaireSource* source)
+Luminaire vtkLuminaireSource::MakeLuminaire()
 {
-  return { LampOf(source), source->GetLuminaireName(), ColourOf(source) };
+  return { LampOf(this), this->LuminaireName, ColourOf(this) };
 }
 
-LuminaireGlyph GlyphOf(vtkLuminaireSource* source)
+LuminaireGlyph vtkLuminaireSource::MakeGlyph()
 {
-  const double size = source->GetGlyphSize();
+  const double size = this->GlyphSize;
   if (!(size >= 1e-30 && size <= 1e30))
   {
     Refuse("GlyphSize", Text(size), "within [1e-30, 1e30]");
   }
-  return { PositionOf(source), size };
+  return { PositionOf(this), size };
 }

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Illumination/map/CoreSettings.h"
+// The properties of vtkIlluminationMap in the core's terms.
+#include "vtkIlluminationMap.h"
 
 #include "Illumination/luminaires/LuminaireFields.h"
 #include "Illumination/luminaires/LuminaireInput.h"
 #include "Illumination/pipeline/InputError.h"
+#include "Illumination/pipeline/Pipeline.h"
+#include "Illumination/surface/SurfaceDescription.h"
 
-#include "vtkIlluminationMap.h"
-#include "vtkIlluminationMapSmoothing.h"
+#include "PhotonTransport/lights/Lamp.h"
+#include "PhotonTransport/transport/IlluminationRun.h"
+
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -47,17 +51,6 @@ Unsigned Count(Signed value, const char* what)
   }
   return static_cast<Unsigned>(value);
 }
-
-} // namespace
-
-std::string ArrayName(const char* name)
-{
-  const std::string given = name ? name : "";
-  return given == "None" ? "" : given;
-}
-
-namespace
-{
 
 PhotonTransport::Lamp LampOf(vtkIlluminationMap* filter)
 {
@@ -173,12 +166,11 @@ PhotonTransport::ScatteringSet SwitchedOn(vtkIlluminationMap* filter)
 
 } // namespace
 
-PhotonTransport::Lighting LightingOf(
-  vtkIlluminationMap* filter, const std::vector<LuminaireInput>& luminaires)
+PhotonTransport::Lighting vtkIlluminationMap::MakeLighting(const Luminaires& luminaires)
 {
   if (luminaires.empty())
   {
-    return LampOf(filter);
+    return LampOf(this);
   }
   PhotonTransport::Lighting lighting;
   for (const LuminaireInput& input : luminaires)
@@ -189,42 +181,41 @@ PhotonTransport::Lighting LightingOf(
   return lighting;
 }
 
-PhotonTransport::TraceSettings SettingsOf(vtkIlluminationMap* filter)
+PhotonTransport::TraceSettings vtkIlluminationMap::MakeTraceSettings()
 {
   PhotonTransport::TraceSettings settings;
-  settings.seed = static_cast<std::uint32_t>(filter->GetSeed());
-  settings.sampling = static_cast<PhotonTransport::Sampling>(filter->GetSampling());
-  settings.registration = static_cast<PhotonTransport::Registration>(filter->GetRegistration());
-  settings.scatterings = SwitchedOn(filter);
-  settings.colour = filter->GetColour();
-  settings.registerBackSide = filter->GetRegisterBackSide();
-  settings.lampsApart = filter->GetLampContributions();
-  settings.weightBound = static_cast<float>(filter->GetWeightBound());
-  settings.maximumPathLength =
-    Count<std::uint32_t>(filter->GetMaximumPathLength(), "maximum path length");
-  settings.threads = filter->GetNumberOfThreads();
+  settings.seed = static_cast<std::uint32_t>(this->Seed);
+  settings.sampling = static_cast<PhotonTransport::Sampling>(this->Sampling);
+  settings.registration = static_cast<PhotonTransport::Registration>(this->Registration);
+  settings.scatterings = SwitchedOn(this);
+  settings.colour = this->Colour;
+  settings.registerBackSide = this->RegisterBackSide;
+  settings.lampsApart = this->LampContributions;
+  settings.weightBound = static_cast<float>(this->WeightBound);
+  settings.maximumPathLength = Count<std::uint32_t>(this->MaximumPathLength, "maximum path length");
+  settings.threads = this->NumberOfThreads;
   return settings;
 }
 
-PhotonTransport::StopRules RulesOf(vtkIlluminationMap* filter)
+PhotonTransport::StopRules vtkIlluminationMap::MakeStopRules()
 {
   PhotonTransport::StopRules rules;
-  const double photons = filter->GetPhotonsAsDouble();
+  const double photons = this->PhotonsAsDouble;
   if (!std::isfinite(photons) || photons != std::floor(photons)) // the core refuses other ranges
   {
     std::ostringstream message;
     message << "the number of photons is " << photons << "; it must be a whole number";
     throw InputError(message.str());
   }
-  rules.photons = Count<std::uint64_t>(filter->GetPhotons(), "number of photons");
-  rules.relativeError = filter->GetTargetRelativeError();
-  rules.seconds = filter->GetTimeLimit();
+  rules.photons = Count<std::uint64_t>(this->Photons, "number of photons");
+  rules.relativeError = this->TargetRelativeError;
+  rules.seconds = this->TimeLimit;
   return rules;
 }
 
-std::uint64_t MemoryLimitOf(vtkIlluminationMap* filter)
+std::uint64_t vtkIlluminationMap::MemoryLimitInBytes()
 {
-  const double limit = filter->GetMemoryLimit();
+  const double limit = this->MemoryLimit;
   if (!(limit >= 0.0) || !std::isfinite(limit))
   {
     std::ostringstream message;
@@ -236,41 +227,25 @@ std::uint64_t MemoryLimitOf(vtkIlluminationMap* filter)
   return static_cast<std::uint64_t>(std::ceil(bytes));
 }
 
-SurfaceDescription DescriptionOf(vtkIlluminationMap* filter, bool otherLamps)
+SurfaceDescription vtkIlluminationMap::DescribeSurface(bool otherLamps)
 {
   SurfaceDescription description;
-  description.material = MaterialOf(filter);
-  description.reflectanceArray = ArrayName(filter->GetReflectanceArray());
-  description.materialArrays = filter->GetUseMaterialArrays();
-  if (filter->GetLampType() == vtkIlluminationMap::EMITTING_FACETS && !otherLamps)
+  description.material = MaterialOf(this);
+  description.reflectanceArray = ArrayName(this->ReflectanceArray);
+  description.materialArrays = this->UseMaterialArrays;
+  if (this->LampType == EMITTING_FACETS && !otherLamps)
   {
-    description.exitanceArray = ArrayName(filter->GetExitanceArray());
+    description.exitanceArray = ArrayName(this->ExitanceArray);
     if (description.exitanceArray.empty())
     {
       throw InputError("emitting facets need an ExitanceArray (lm/m^2 per cell); none is named");
     }
   }
-  description.metresPerUnit = filter->GetMetresPerUnit();
-  description.featureAngle = filter->GetFeatureAngle();
+  description.metresPerUnit = this->MetresPerUnit;
+  description.featureAngle = this->FeatureAngle;
   if (std::isnan(description.featureAngle)) // all else is clamped when it is set
   {
     throw InputError("FeatureAngle is nan; it must be within [0, 180] degrees");
   }
   return description;
-}
-
-PhotonTransport::FiltrationSettings SettingsOf(vtkIlluminationMapSmoothing* filter)
-{
-  const double angle = filter->GetFeatureAngle();
-  if (!(angle >= 0.0 && angle <= 180.0))
-  {
-    throw InputError(
-      "FeatureAngle is " + std::to_string(angle) + "; it must be within [0, 180] degrees");
-  }
-  PhotonTransport::FiltrationSettings settings;
-  settings.method = static_cast<PhotonTransport::FiltrationMethod>(filter->GetMethod());
-  settings.strength = filter->GetStrength();
-  settings.width = filter->GetWidth();
-  settings.threads = filter->GetNumberOfThreads();
-  return settings;
 }
