@@ -2,20 +2,17 @@
 #include "Illumination/luminaires/EmittingSurface.h"
 
 #include "Illumination/pipeline/InputError.h"
-#include "Illumination/surface/CellValues.h"
+#include "Illumination/surface/CellExitance.h"
 #include "Illumination/surface/InputChecks.h"
-#include "Illumination/surface/SceneBlock.h"
+#include "Illumination/surface/SurfaceTriangles.h"
 
 #include "PhotonTransport/scene/FacetSide.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
 #include <glm/geometric.hpp>
@@ -32,33 +29,6 @@ namespace
 using namespace PhotonTransport;
 
 constexpr const char* Exitance = "Exitance";
-
-std::vector<glm::dvec3> PointsOf(vtkPolyData* mesh)
-{
-  std::vector<glm::dvec3> points;
-  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
-  {
-    glm::dvec3 point;
-    mesh->GetPoint(p, &point.x);
-    points.push_back(point);
-  }
-  return points;
-}
-
-std::vector<glm::uvec3> FacetsOf(vtkPolyData* mesh)
-{
-  std::vector<glm::uvec3> facets;
-  auto it = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    it->GetCurrentCell(size, ids);
-    facets.emplace_back(
-      static_cast<unsigned>(ids[0]), static_cast<unsigned>(ids[1]), static_cast<unsigned>(ids[2]));
-  }
-  return facets;
-}
 
 /// Of twice the facet's area, to the side round which its corners run counter-clockwise.
 glm::dvec3 AreaVector(const EmittingMesh& mesh, const glm::uvec3& facet)
@@ -92,17 +62,6 @@ void TurnToNormals(
   }
 }
 
-Colour ColourOf(vtkDataArray* exitance, vtkIdType cell)
-{
-  Colour colour;
-  for (int c = 0; c < 3; ++c)
-  {
-    const int component = exitance->GetNumberOfComponents() == 3 ? c : 0;
-    colour[c] = static_cast<float>(exitance->GetComponent(cell, component));
-  }
-  return colour;
-}
-
 /// The scale of a light's colour means nothing; a mesh without light is white.
 Colour WithLargestOne(const glm::dvec3& colour)
 {
@@ -121,11 +80,9 @@ std::optional<Luminaire> ReadEmittingSurface(vtkPolyData* data)
   vtkDataArray* normals = CheckedNormals(data, "");
   const SurfaceTriangles triangles = TrianglesOf(data, nullptr, "");
 
-  SceneBlock block;
-  block.data = data;
-  block.cellOfFacet = CellsOfTriangles(triangles.mesh);
-  const CellValues checked(block, Exitance, { "exitance", VTK_FLOAT_MAX });
-  if (block.cellOfFacet.empty())
+  const std::vector<vtkIdType> cells = CellsOfTriangles(triangles.mesh);
+  const std::vector<Colour> exitance = ExitanceOf({ data, "" }, Exitance, cells);
+  if (cells.empty())
   {
     throw InputError("a surface with a cell array 'Exitance' has no polygons or triangle strips "
                      "with an area to shine");
@@ -136,18 +93,18 @@ std::optional<Luminaire> ReadEmittingSurface(vtkPolyData* data)
       " crosses or touches itself, so its Exitance gives no flux");
   }
 
-  EmittingMesh mesh{ PointsOf(triangles.mesh), FacetsOf(triangles.mesh), {} };
+  EmittingMesh mesh;
+  AppendPoints(triangles.mesh, mesh.points);
+  AppendFacets(triangles.mesh, 0, mesh.facets);
   if (normals)
   {
-    TurnToNormals(mesh, normals, block.cellOfFacet);
+    TurnToNormals(mesh, normals, cells);
   }
-  vtkDataArray* exitance = data->GetCellData()->GetArray(Exitance);
   glm::dvec3 light(0.0);
   for (std::size_t f = 0; f < mesh.facets.size(); ++f)
   {
-    const Colour colour = ColourOf(exitance, block.cellOfFacet[f]);
-    mesh.exitance.push_back(Luminous(colour));
-    light += glm::length(AreaVector(mesh, mesh.facets[f])) * glm::dvec3(colour);
+    mesh.exitance.push_back(Luminous(exitance[f]));
+    light += glm::length(AreaVector(mesh, mesh.facets[f])) * glm::dvec3(exitance[f]);
   }
   auto* name =
     vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("LuminaireName"));

@@ -3,67 +3,36 @@
 
 #include "Illumination/pipeline/InputError.h"
 #include "Illumination/surface/GhostPoints.h"
+#include "Illumination/surface/InputChecks.h"
 #include "Illumination/surface/SurfaceTriangles.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 
 namespace
 {
 
-vtkDataArray* CheckedArray(const MapBlocks::Block& block, const std::string& name, int components)
+vtkDataArray* CheckedArray(const NamedSurface& block, const std::string& name, int components)
 {
-  vtkPointData* arrays = block.data->GetPointData();
-  vtkAbstractArray* found = arrays->GetAbstractArray(name.c_str());
   const std::string where = "point array '" + name + "'" + block.name;
+  vtkAbstractArray* found = block.data->GetPointData()->GetAbstractArray(name.c_str());
   if (!found)
   {
     throw InputError("there is no " + where);
   }
-  auto* array = vtkDataArray::SafeDownCast(found);
-  if (!array)
-  {
-    throw InputError(where + " is a " + found->GetClassName() + ", not numbers");
-  }
-  if (array->GetNumberOfComponents() != components)
-  {
-    throw InputError(where + " has " + std::to_string(array->GetNumberOfComponents()) +
-      " components; " + std::to_string(components) + " are wanted");
-  }
-  if (array->GetNumberOfTuples() != block.data->GetNumberOfPoints())
-  {
-    throw InputError(where + " has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
-      std::to_string(block.data->GetNumberOfPoints()) + " points");
-  }
-  return array;
+  return CheckedNumbers(found, where, { components }, block.data->GetNumberOfPoints(), "points");
 }
 
 } // namespace
 
 MapBlocks::MapBlocks(vtkDataObject* data)
 {
-  if (auto* single = vtkPolyData::SafeDownCast(data))
+  for (const NamedSurface& part : PartsOf(data).surfaces)
   {
-    this->Append(single, "");
-  }
-  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    auto it = vtk::TakeSmartPointer(composite->NewIterator());
-    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-    {
-      if (auto* block = vtkPolyData::SafeDownCast(it->GetCurrentDataObject()))
-      {
-        this->Append(block, " of block " + std::to_string(it->GetCurrentFlatIndex()));
-      }
-    }
+    this->Append(part);
   }
   if (this->AllFacets.empty())
   {
@@ -72,40 +41,22 @@ MapBlocks::MapBlocks(vtkDataObject* data)
   this->FindOwners();
 }
 
-void MapBlocks::Append(vtkPolyData* data, const std::string& name)
+void MapBlocks::Append(const NamedSurface& part)
 {
-  const SurfaceTriangles triangles = TrianglesOf(data, nullptr, name);
-  if (!HasSurface(data))
+  const SurfaceTriangles triangles = TrianglesOf(part.data, nullptr, part.name);
+  if (HasSurface(part.data))
   {
-    return;
-  }
-  this->Parts.push_back({ data, name, this->AllPoints.size() });
-  const auto offset = static_cast<unsigned>(this->AllPoints.size());
-  for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p)
-  {
-    glm::dvec3 point;
-    data->GetPoint(p, &point.x);
-    this->AllPoints.push_back(point);
-  }
-  auto it = vtk::TakeSmartPointer(triangles.mesh->GetPolys()->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    it->GetCurrentCell(size, ids);
-    this->AllFacets.emplace_back(offset + static_cast<unsigned>(ids[0]),
-      offset + static_cast<unsigned>(ids[1]), offset + static_cast<unsigned>(ids[2]));
+    const std::size_t firstPoint = this->AllPoints.size();
+    this->Parts.push_back({ part, firstPoint });
+    AppendPoints(part.data, this->AllPoints);
+    AppendFacets(triangles.mesh, firstPoint, this->AllFacets);
   }
 }
 
 void MapBlocks::FindOwners()
 {
-  std::vector<std::pair<vtkPolyData*, std::string>> blocks;
-  for (const Block& block : this->Parts)
-  {
-    blocks.emplace_back(block.data, block.name);
-  }
-  const std::vector<GhostPoints> ghosts = FindGhostPoints(blocks);
+  const std::vector<GhostPoints> ghosts =
+    FindGhostPoints({ this->Parts.begin(), this->Parts.end() });
   for (std::size_t b = 0; b < ghosts.size(); ++b)
   {
     for (const GhostPoint& ghost : ghosts[b].owned)

@@ -2,6 +2,8 @@
 #ifndef MapBlocks_h
 #define MapBlocks_h
 
+#include "Illumination/surface/SurfaceParts.h"
+
 #include "PhotonTransport/statistics/GroupMeans.h"
 
 #include "vtkType.h"
@@ -15,17 +17,14 @@
 
 class vtkDataArray;
 class vtkDataObject;
-class vtkPolyData;
 
 /// The polygonal blocks of a data object as one list of points with their triangles
 /// (SurfaceTriangles), and the point arrays on them.
 class MapBlocks
 {
 public:
-  struct Block
+  struct Block : NamedSurface
   {
-    vtkPolyData* data;
-    std::string name; ///< " of block 2", or "" where there is only one.
     std::size_t firstPoint;
   };
 
@@ -68,7 +67,7 @@ public:
   }
 
 private:
-  void Append(vtkPolyData* data, const std::string& name);
+  void Append(const NamedSurface& part);
   void FindOwners();
   void ForEachTuple(const std::string& array, int components,
     const std::function<void(std::size_t point, vtkDataArray* array, vtkIdType tuple)>& f) const;

@@ -3,14 +3,10 @@
 
 #include "Illumination/materials/FacetMaterials.h"
 #include "Illumination/pipeline/InputError.h"
-#include "Illumination/surface/CellValues.h"
+#include "Illumination/surface/CellExitance.h"
 #include "Illumination/surface/GhostPoints.h"
 #include "Illumination/surface/InputChecks.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -81,29 +77,11 @@ std::vector<BorrowedVertex> VerticesOf(const std::vector<BorrowedVertex>& byPoin
 SceneBlocks::SceneBlocks(vtkDataObject* data, const SurfaceDescription& description)
 {
   this->All.metresPerUnit = description.metresPerUnit;
-  if (auto* single = vtkPolyData::SafeDownCast(data))
+  const SurfaceParts parts = PartsOf(data);
+  this->OtherBlocks = parts.others;
+  for (const NamedSurface& part : parts.surfaces)
   {
-    SceneBlock block;
-    block.data = single;
-    this->Append(std::move(block), description);
-  }
-  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    auto it = vtk::TakeSmartPointer(composite->NewIterator());
-    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-    {
-      SceneBlock block;
-      block.data = vtkPolyData::SafeDownCast(it->GetCurrentDataObject());
-      block.name = " of block " + std::to_string(it->GetCurrentFlatIndex());
-      if (block.data)
-      {
-        this->Append(std::move(block), description);
-      }
-      else
-      {
-        ++this->OtherBlocks;
-      }
-    }
+    this->Append(SceneBlock(part), description);
   }
   if (this->All.facets.empty())
   {
@@ -137,8 +115,9 @@ void SceneBlocks::Append(SceneBlock block, const SurfaceDescription& description
   block.firstFacet = this->All.facets.size();
   block.pointOfVertex = PointsOfTriangles(mesh);
   block.cellOfFacet = CellsOfTriangles(mesh);
-  this->AddVertices(mesh);
-  this->AddFacets(mesh, block.firstVertex);
+  AppendPoints(mesh, this->All.points);
+  this->AddNormals(mesh);
+  AppendFacets(mesh, block.firstVertex, this->All.facets);
   if (!description.exitanceArray.empty())
   {
     this->AddExitance(block, description.exitanceArray);
@@ -146,40 +125,23 @@ void SceneBlocks::Append(SceneBlock block, const SurfaceDescription& description
   this->Parts.push_back(std::move(block));
 }
 
-void SceneBlocks::AddVertices(vtkPolyData* mesh)
+void SceneBlocks::AddNormals(vtkPolyData* mesh)
 {
   vtkDataArray* normals = mesh->GetPointData()->GetNormals();
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
   {
-    glm::dvec3 point, normal;
-    mesh->GetPoint(p, &point.x);
+    glm::dvec3 normal;
     normals->GetTuple(p, &normal.x);
-    this->All.points.push_back(point);
     this->All.normals.push_back(normal);
-  }
-}
-
-void SceneBlocks::AddFacets(vtkPolyData* mesh, std::size_t firstVertex)
-{
-  const auto offset = static_cast<unsigned>(firstVertex);
-  auto it = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    it->GetCurrentCell(size, ids);
-    this->All.facets.emplace_back(offset + static_cast<unsigned>(ids[0]),
-      offset + static_cast<unsigned>(ids[1]), offset + static_cast<unsigned>(ids[2]));
   }
 }
 
 void SceneBlocks::AddExitance(const SceneBlock& block, const std::string& array)
 {
-  const CellValues exitance(block, array, { "exitance", VTK_FLOAT_MAX });
-  for (const vtkIdType cell : block.cellOfFacet)
+  for (const PhotonTransport::Colour& exitance : ExitanceOf(block, array, block.cellOfFacet))
   {
-    this->All.exitance.push_back(PhotonTransport::Luminous(exitance.Of(cell)));
-    this->All.exitanceColour.push_back(exitance.Of(cell));
+    this->All.exitance.push_back(PhotonTransport::Luminous(exitance));
+    this->All.exitanceColour.push_back(exitance);
   }
 }
 
@@ -197,12 +159,8 @@ void SceneBlocks::AppendUnlit()
 
 void SceneBlocks::LendVertices()
 {
-  std::vector<std::pair<vtkPolyData*, std::string>> blocks;
-  for (const SceneBlock& block : this->Parts)
-  {
-    blocks.emplace_back(block.data, block.name);
-  }
-  const std::vector<GhostPoints> ghosts = FindGhostPoints(blocks);
+  const std::vector<GhostPoints> ghosts =
+    FindGhostPoints({ this->Parts.begin(), this->Parts.end() });
   std::vector<std::vector<BorrowedVertex>> byPoint; // of each block
   for (std::size_t b = 0; b < this->Parts.size() && !ghosts.empty(); ++b)
   {

@@ -31,8 +31,7 @@ public:
 
 private:
   void Append(SceneBlock block, const SurfaceDescription& description);
-  void AddVertices(vtkPolyData* mesh);
-  void AddFacets(vtkPolyData* mesh, std::size_t firstVertex);
+  void AddNormals(vtkPolyData* mesh);
   void AddExitance(const SceneBlock& block, const std::string& array);
   void AppendUnlit();
   void LendVertices();

@@ -235,11 +235,10 @@ private:
 
 } // namespace
 
-std::vector<GhostPoints> FindGhostPoints(
-  const std::vector<std::pair<vtkPolyData*, std::string>>& blocks)
+std::vector<GhostPoints> FindGhostPoints(const std::vector<NamedSurface>& blocks)
 {
   if (std::none_of(blocks.begin(), blocks.end(),
-        [](const auto& block) { return HasGhosts(block.first, block.second); }))
+        [](const NamedSurface& block) { return HasGhosts(block.data, block.name); }))
   {
     return {};
   }

@@ -2,14 +2,12 @@
 #ifndef GhostPoints_h
 #define GhostPoints_h
 
+#include "Illumination/surface/SurfaceParts.h"
+
 #include "vtkType.h"
 
 #include <cstddef>
-#include <string>
-#include <utility>
 #include <vector>
-
-class vtkPolyData;
 
 /// A point that is a copy of another one, its owner, whose value it gets.
 struct GhostPoint
@@ -29,11 +27,9 @@ struct GhostPoints
 
 /// The points of each block that vtkGhostType marks as copies, or that only cells use which it
 /// marks as such (GhostCells), with their owners: points that are no copies, of a surface in the
-/// same place that faces the same way. Positions are the same up to the rounding of
-/// single precision. Nothing is found where
-/// there is no vtkGhostType; the result is then empty.
-/// @param blocks Each with its name for messages; their cells must be valid.
-std::vector<GhostPoints> FindGhostPoints(
-  const std::vector<std::pair<vtkPolyData*, std::string>>& blocks);
+/// same place that faces the same way. Positions are the same up to the rounding of single
+/// precision. Nothing is found where there is no vtkGhostType; the result is then empty.
+/// @param blocks Their cells must be valid.
+std::vector<GhostPoints> FindGhostPoints(const std::vector<NamedSurface>& blocks);
 
 #endif

@@ -11,6 +11,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <sstream>
@@ -81,6 +82,30 @@ void RequireFiniteCorners(vtkPolyData* data, vtkIdType size, const vtkIdType* co
   }
 }
 
+vtkDataArray* CheckedNumbers(vtkAbstractArray* found, const std::string& where,
+  const std::vector<int>& components, vtkIdType count, const char* owners)
+{
+  auto* array = vtkDataArray::SafeDownCast(found);
+  if (!array)
+  {
+    throw InputError(where + " is a " + found->GetClassName() + ", not numbers");
+  }
+  if (std::find(components.begin(), components.end(), array->GetNumberOfComponents()) ==
+    components.end())
+  {
+    std::string wanted = std::to_string(components.front());
+    wanted += components.size() > 1 ? " or " + std::to_string(components.back()) : "";
+    throw InputError(where + " has " + std::to_string(array->GetNumberOfComponents()) +
+      " components; " + wanted + (wanted == "1" ? " is wanted" : " are wanted"));
+  }
+  if (array->GetNumberOfTuples() != count)
+  {
+    throw InputError(where + " has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
+      std::to_string(count) + " " + owners);
+  }
+  return array;
+}
+
 vtkDataArray* CheckedNormals(vtkPolyData* data, const std::string& block)
 {
   vtkAbstractArray* found = data->GetPointData()->GetNormals();
@@ -91,22 +116,7 @@ vtkDataArray* CheckedNormals(vtkPolyData* data, const std::string& block)
   }
   const std::string where =
     "point array '" + std::string(found->GetName() ? found->GetName() : "") + "'" + block;
-  auto* normals = vtkDataArray::SafeDownCast(found);
-  if (!normals)
-  {
-    throw InputError(where + " is a " + found->GetClassName() + ", not numbers");
-  }
-  if (normals->GetNumberOfComponents() != 3)
-  {
-    throw InputError(where + " has " + std::to_string(normals->GetNumberOfComponents()) +
-      " components; normals have 3");
-  }
-  if (normals->GetNumberOfTuples() != data->GetNumberOfPoints())
-  {
-    throw InputError(where + " has " + std::to_string(normals->GetNumberOfTuples()) +
-      " values for " + std::to_string(data->GetNumberOfPoints()) + " points");
-  }
-  return normals;
+  return CheckedNumbers(found, where, { 3 }, data->GetNumberOfPoints(), "points");
 }
 
 vtkDataArray* CheckedCellArray(
@@ -120,21 +130,7 @@ vtkDataArray* CheckedCellArray(
     throw InputError("there is no " + where +
       (onPoints ? "; there is a point array of that name, but values must be per cell" : ""));
   }
-  auto* array = vtkDataArray::SafeDownCast(found);
-  if (!array)
-  {
-    throw InputError(where + " is a " + found->GetClassName() + ", not numbers");
-  }
-  const int components = array->GetNumberOfComponents();
-  if (components != 1 && !(threeAllowed && components == 3))
-  {
-    throw InputError(where + " has " + std::to_string(components) + " components; " +
-      (threeAllowed ? "1 or 3 are wanted" : "1 is wanted"));
-  }
-  if (array->GetNumberOfTuples() != data->GetNumberOfCells())
-  {
-    throw InputError(where + " has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
-      std::to_string(data->GetNumberOfCells()) + " cells");
-  }
-  return array;
+  const std::vector<int> components =
+    threeAllowed ? std::vector<int>{ 1, 3 } : std::vector<int>{ 1 };
+  return CheckedNumbers(found, where, components, data->GetNumberOfCells(), "cells");
 }

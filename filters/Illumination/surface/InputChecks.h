@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+class vtkAbstractArray;
 class vtkDataArray;
 class vtkPolyData;
 
@@ -19,6 +20,11 @@ void RequireValidCells(vtkPolyData* data, const std::string& block);
 /// all finite: VTK's filters would cut a hole or compute no number.
 void RequireFiniteCorners(vtkPolyData* data, vtkIdType size, const vtkIdType* corners,
   vtkIdType cell, const std::string& block);
+
+/// Throws InputError, which begins with `where`, unless the array holds numbers, `count` tuples of
+/// one of the numbers of components. @param owners What has a tuple each: "points" or "cells".
+vtkDataArray* CheckedNumbers(vtkAbstractArray* found, const std::string& where,
+  const std::vector<int>& components, vtkIdType count, const char* owners);
 
 /// Point normals as the pipeline marks them, or else the point array of that name; null if there is
 /// neither. Throws InputError if it does not hold three numbers a point.

@@ -2,15 +2,13 @@
 #ifndef SceneBlock_h
 #define SceneBlock_h
 
+#include "Illumination/surface/SurfaceParts.h"
 #include "Illumination/surface/SurfaceTriangles.h"
 
 #include "vtkType.h"
 
 #include <cstddef>
-#include <string>
 #include <vector>
-
-class vtkPolyData;
 
 /// A vertex of the scene whose values a ghost point gets, too.
 struct BorrowedVertex
@@ -20,10 +18,13 @@ struct BorrowedVertex
 };
 
 /// One vtkPolyData of the scene and where its parts went in the Surface.
-struct SceneBlock
+struct SceneBlock : NamedSurface
 {
-  vtkPolyData* data = nullptr; ///< Points and cells of this block.
-  std::string name;            ///< " of block 2", or "" where there is only one.
+  explicit SceneBlock(const NamedSurface& surface)
+    : NamedSurface(surface)
+  {
+  }
+
   std::size_t firstVertex = 0;
   std::size_t firstFacet = 0;
   std::vector<vtkIdType> pointOfVertex; ///< A point has more than one where normals were split.
