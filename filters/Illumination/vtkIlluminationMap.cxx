@@ -7,7 +7,6 @@
 #include "Illumination/map/SceneBlocks.h"
 #include "Illumination/map/SceneWarnings.h"
 #include "Illumination/pipeline/InputError.h"
-#include "Illumination/pipeline/OneRank.h"
 #include "Illumination/pipeline/Pipeline.h"
 
 #include "PhotonTransport/scene/InvalidInput.h"
@@ -28,10 +27,8 @@
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <new>
-#include <sstream>
 
 vtkStandardNewMacro(vtkIlluminationMap);
 
@@ -136,8 +133,7 @@ int vtkIlluminationMap::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == 0)
   {
-    RequireSurfaces(info);
-    return 1;
+    return this->Superclass::FillInputPortInformation(port, info);
   }
   // Anything: groups as a whole, and what is no luminaire gets an error that names it.
   info->Set(INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
@@ -165,58 +161,24 @@ int vtkIlluminationMap::FillOutputPortInformation(int port, vtkInformation* info
 int vtkIlluminationMap::ProcessRequest(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
-  {
-    return this->Superclass::ProcessRequest(request, input, output);
-  }
-  if (!vtkTable::GetData(output, 1))
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()) && !vtkTable::GetData(output, 1))
   {
     vtkNew<vtkTable> table;
     output->GetInformationObject(1)->Set(vtkDataObject::DATA_OBJECT(), table);
   }
-  return MakeOutputLikeInput(input, output) ? 1 : 0;
+  return this->Superclass::ProcessRequest(request, input, output);
 }
 
-int vtkIlluminationMap::RequestData(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+void vtkIlluminationMap::WithoutResult(vtkInformationVector* outputs)
 {
-  // An observer may disconnect the input.
-  const vtkSmartPointer<vtkDataObject> in = vtkDataObject::GetData(input[0]);
-  vtkDataObject* out = vtkDataObject::GetData(output);
-  PassThrough(in, out);
-  const RankTask task = TaskOfThisRank(in, input[1]);
-  if (!task.Works)
-  {
-    this->Kept.reset();
-    FillAccuracyTable(vtkTable::GetData(output, 1), {});
-    if (!task.Message.empty())
-    {
-      vtkErrorMacro(<< task.Message);
-    }
-    return 1;
-  }
-  // An error leaves the input passed through and the pipeline usable: it is said once, here, and
-  // not again by the executive, which a return value of 0 would bring about.
-  try
-  {
-    this->Trace(in, LuminaireInputs(input[1]), out, vtkTable::GetData(output, 1));
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->Kept.reset();
-    PassThrough(in, out); // without what was already there of the map
-    vtkErrorMacro("out of memory for an input of " << out->GetActualMemorySize() << " KiB");
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-  }
-  return 1;
+  FillAccuracyTable(vtkTable::GetData(outputs, 1), {});
 }
 
-void vtkIlluminationMap::Trace(
-  vtkDataObject* input, const Luminaires& luminaires, vtkDataObject* output, vtkTable* accuracy)
+void vtkIlluminationMap::Execute(
+  vtkDataObject* input, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  vtkDataObject* output = vtkDataObject::GetData(outputs);
+  const Luminaires luminaires = LuminaireInputs(inputs[1]);
   const SceneBlocks blocks(output, this->DescribeSurface(!luminaires.empty()));
   const PhotonTransport::Lighting lighting = this->MakeLighting(luminaires);
   try
@@ -266,7 +228,7 @@ void vtkIlluminationMap::Trace(
     notes.insert(notes.end(), onFiles.begin(), onFiles.end());
     AddFieldData(output->GetFieldData(), run, reason, notes);
     AddMemoryNeeded(output->GetFieldData(), need);
-    FillAccuracyTable(accuracy, run.Rounds());
+    FillAccuracyTable(vtkTable::GetData(outputs, 1), run.Rounds());
     for (const std::string& warning : WarningsOn(blocks, this->Kept->Scene))
     {
       vtkWarningMacro(<< warning);
@@ -275,6 +237,11 @@ void vtkIlluminationMap::Trace(
     {
       vtkWarningMacro(<< missing.warning);
     }
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Kept.reset();
+    throw;
   }
   catch (const InvalidInput& error)
   {

@@ -50,7 +50,7 @@
 #define vtkIlluminationMap_h
 
 #include "vtkIlluminationModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkSurfaceAlgorithm.h"
 #include "vtkTimeStamp.h" // for when a run must start anew
 
 #include <cstdint> // for bytes
@@ -69,11 +69,11 @@ struct StopRules;
 struct TraceSettings;
 }
 
-class VTKILLUMINATION_EXPORT vtkIlluminationMap : public vtkPolyDataAlgorithm
+class VTKILLUMINATION_EXPORT vtkIlluminationMap : public vtkSurfaceAlgorithm
 {
 public:
   static vtkIlluminationMap* New();
-  vtkTypeMacro(vtkIlluminationMap, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkIlluminationMap, vtkSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   using Superclass::Update;
@@ -468,8 +468,9 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  void Execute(
+    vtkDataObject* input, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void WithoutResult(vtkInformationVector* outputs) override;
 
   int LampType = PARALLEL;
   double LampPosition[3] = { 0.0, 0.0, 1.0 };
@@ -519,8 +520,6 @@ private:
   void operator=(const vtkIlluminationMap&) = delete;
 
   using Luminaires = std::vector<LuminaireInput>;
-  void Trace(
-    vtkDataObject* input, const Luminaires& luminaires, vtkDataObject* output, vtkTable* accuracy);
 
   // The properties in the core's terms; each throws for values out of range.
   PhotonTransport::Lighting MakeLighting(const Luminaires& luminaires);

@@ -4,25 +4,20 @@
 #include "Illumination/map/MapBlocks.h"
 #include "Illumination/pipeline/FieldArrays.h"
 #include "Illumination/pipeline/InputError.h"
-#include "Illumination/pipeline/OneRank.h"
 #include "Illumination/pipeline/Pipeline.h"
 
 #include "PhotonTransport/filtration/Filtration.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 
 #include "vtkDataObject.h"
-#include "vtkDemandDrivenPipeline.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 
 vtkStandardNewMacro(vtkIlluminationMapSmoothing);
 
@@ -135,66 +130,10 @@ PhotonTransport::FiltrationSettings SettingsOf(vtkIlluminationMapSmoothing* filt
 
 } // namespace
 
-int vtkIlluminationMapSmoothing::FillInputPortInformation(int, vtkInformation* info)
+void vtkIlluminationMapSmoothing::Execute(
+  vtkDataObject*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  RequireSurfaces(info);
-  return 1;
-}
-
-int vtkIlluminationMapSmoothing::FillOutputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
-  return 1;
-}
-
-int vtkIlluminationMapSmoothing::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
-{
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
-  {
-    return MakeOutputLikeInput(input, output) ? 1 : 0;
-  }
-  return this->Superclass::ProcessRequest(request, input, output);
-}
-
-int vtkIlluminationMapSmoothing::RequestData(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
-{
-  // An observer may disconnect the input.
-  const vtkSmartPointer<vtkDataObject> in = vtkDataObject::GetData(input[0]);
-  vtkDataObject* out = vtkDataObject::GetData(output);
-  PassThrough(in, out);
-  const RankTask task = TaskOfThisRank(in, nullptr);
-  if (!task.Works)
-  {
-    if (!task.Message.empty())
-    {
-      vtkErrorMacro(<< task.Message);
-    }
-    return 1;
-  }
-  try
-  {
-    this->Smooth(out);
-  }
-  catch (const Aborted&)
-  {
-    // The input passes through.
-  }
-  catch (const std::bad_alloc&)
-  {
-    PassThrough(in, out);
-    vtkErrorMacro("out of memory for an input of " << out->GetActualMemorySize() << " KiB");
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-  }
-  return 1; // as vtkIlluminationMap does: an error is said once
-}
-
-void vtkIlluminationMapSmoothing::Smooth(vtkDataObject* output)
-{
+  vtkDataObject* output = vtkDataObject::GetData(outputs);
   const PhotonTransport::FiltrationSettings settings = SettingsOf(this);
   Validate(settings);
   const MapBlocks blocks(output);
@@ -219,6 +158,10 @@ void vtkIlluminationMapSmoothing::Smooth(vtkDataObject* output)
     AddMaps(blocks, this->IlluminanceArray, maps, filtered);
     const std::vector<std::string> notes{ "smoothed " + maps.note };
     AddArray(output->GetFieldData(), "SmoothingNotes", notes);
+  }
+  catch (const Aborted&)
+  {
+    // The input passes through.
   }
   catch (const PhotonTransport::InvalidInput& error)
   {

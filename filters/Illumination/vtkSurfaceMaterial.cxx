@@ -10,15 +10,12 @@
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
-#include "vtkDemandDrivenPipeline.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <new>
 #include <sstream>
 #include <vector>
 
@@ -148,59 +145,15 @@ PhotonTransport::Material MaterialOf(vtkSurfaceMaterial* filter)
 
 } // namespace
 
-int vtkSurfaceMaterial::FillInputPortInformation(int, vtkInformation* info)
-{
-  RequireSurfaces(info);
-  return 1;
-}
-
-int vtkSurfaceMaterial::FillOutputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
-  return 1;
-}
-
-int vtkSurfaceMaterial::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
-{
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
-  {
-    return MakeOutputLikeInput(input, output) ? 1 : 0;
-  }
-  return this->Superclass::ProcessRequest(request, input, output);
-}
-
-int vtkSurfaceMaterial::RequestData(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
-{
-  vtkDataObject* in = vtkDataObject::GetData(input[0]);
-  vtkDataObject* out = vtkDataObject::GetData(output);
-  PassThrough(in, out);
-  try
-  {
-    this->Assign(out);
-  }
-  catch (const std::bad_alloc&)
-  {
-    PassThrough(in, out);
-    vtkErrorMacro("out of memory for an input of " << out->GetActualMemorySize() << " KiB");
-  }
-  catch (const std::exception& error)
-  {
-    PassThrough(in, out); // without the arrays of the blocks before the error
-    vtkErrorMacro(<< error.what());
-  }
-  return 1; // as vtkIlluminationMap does: an error is said once
-}
-
-void vtkSurfaceMaterial::Assign(vtkDataObject* output)
+void vtkSurfaceMaterial::Execute(
+  vtkDataObject*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   const PhotonTransport::Material material = MaterialOf(this);
   RequireValid(ValuesOf(material), "");
   const std::string cellArray = ArrayName(this->CellArray);
   bool hadChoice = false;
   bool choseAny = false;
-  for (const Block& block : BlocksOf(output, this->Blocks))
+  for (const Block& block : BlocksOf(vtkDataObject::GetData(outputs), this->Blocks))
   {
     RequireValidCells(block.data, block.name);
     const std::vector<bool> chosen = ChosenCells(block, cellArray, this->CellValue);

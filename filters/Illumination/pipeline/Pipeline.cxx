@@ -10,12 +10,6 @@
 #include "vtkInformationVector.h"
 #include "vtkSmartPointer.h"
 
-void RequireSurfaces(vtkInformation* port)
-{
-  port->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-}
-
 bool MakeOutputLikeInput(vtkInformationVector** input, vtkInformationVector* output)
 {
   vtkDataObject* in = vtkDataObject::GetData(input[0]);

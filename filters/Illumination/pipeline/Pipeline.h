@@ -11,10 +11,6 @@ class vtkDataObject;
 class vtkInformation;
 class vtkInformationVector;
 
-/// The filters take surfaces, one or a composite of many. Taking composite data itself keeps the
-/// pipeline from running a filter block by block: all blocks are one scene.
-void RequireSurfaces(vtkInformation* port);
-
 /// Puts a new data object of the input's type on output port 0 unless it has one.
 /// @return Whether there is an input.
 bool MakeOutputLikeInput(vtkInformationVector** input, vtkInformationVector* output);
