@@ -21,27 +21,28 @@
  *  - IlluminanceDirect (lx): light straight from the lamps or through thin panes.
  *  - IlluminanceIndirect (lx): all other light.
  *  - StandardError (lx): the noise of Illuminance, from eight independent replicates; where fewer
- * than 30 photons have hit, at least what their number says. The size of the facets is not in it.
+ *    than 30 photons have hit, at least what their number says. The size of facets is not in it.
  *  - RelativeError: StandardError / Illuminance; 1 where no light came, 0 at a point without a
  *    triangle.
  *  - IlluminanceRGB (lx, 3 components): by colour, if the scene has any. White light has three
- * equal components, and 0.2126 R + 0.7152 G + 0.0722 B is Illuminance.
+ *    equal components, and 0.2126 R + 0.7152 G + 0.0722 B is Illuminance.
  *  - Illuminance_<name> (lx): from one luminaire, with LampContributions. A luminaire without a
- * name, or whose name is taken, gets one, such as "Lamp 2" or "Spot (2)".
+ *    name, or whose name is taken, gets one, such as "Lamp 2" or "Spot (2)".
  *  - IlluminanceBack, StandardErrorBack (lx): what arrives on the back, with RegisterBackSide.
  *  - PhotonHits (vtkIdType): photons that hit the front of a facet around the point.
  *  - IlluminanceDirectGroups, IlluminanceIndirectGroups (lx, 4 components): with GroupMeans.
+ *
  * It has these field data arrays:
  *  - PhotonsEmitted = PhotonsAbsorbed + PhotonsEscaped + PhotonsCutOff.
  *  - EmittedFlux (lm), of which FluxOnFronts and FluxOnBacks (lm) first arrived on a front or on a
  *    back that lets no light through, and FluxEscaped (lm) left the scene before.
  *  - FluxCutByWeightBound, FluxSwitchedOff (lm).
  *  - Seconds, PhotonsPerSecond, SegmentsPerSecond; MemoryNeeded (bytes, at most).
- *  - PredictedPhotons, PredictedSeconds: what the run takes to its target, with
- * TargetRelativeError.
+ *  - PredictedPhotons, PredictedSeconds: what the run takes to reach a TargetRelativeError.
  *  - StoppedBy, Effects (which are on or off, and why), IlluminationMapsVersion (text).
  *  - Notes (text): what was found in the input and mended or left out, what light is missing, and
  *    what was assumed of photometric files.
+ *
  * A warning says what to do if much of a lamp's light fell on backs or met nothing, or if facets
  * are too close together or too small to be told apart.
  *
@@ -289,9 +290,9 @@ public:
   ///@{
   /**
    * The relative error to stop at, unless Photons or TimeLimit are reached before: the
-   * area-weighted RMS of StandardError over the area-weighted mean of Illuminance; >= 0. 0.02 is 2
-   * %, 0 is no target. If none of 2^20 photons registers on a front, no target can be met, and the
-   * run ends. Default: 0.
+   * area-weighted RMS of StandardError over the area-weighted mean of Illuminance; >= 0. 0 is no
+   * target, 0.02 is 2 %. If none of 2^20 photons registers on a front, no target can be met, and
+   * the run ends. Default: 0.
    */
   vtkSetMacro(TargetRelativeError, double);
   vtkGetMacro(TargetRelativeError, double);

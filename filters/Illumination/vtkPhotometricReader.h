@@ -25,7 +25,7 @@
  *    text each; none for most files.
  *
  * The reader is strict where light depends on it (counts, angles, intensities, units, factors) and
- * lenient elsewhere: text of any encoding and with any line ends, text after the last intensity,
+ * lenient elsewhere: UTF-8, UTF-16 and Latin-1, any line ends, text after the last intensity,
  * decimal commas, spellings of the format line, lamp sets of EULUMDAT in either order.
  *
  * The output is a luminaire too, for the second input of vtkIlluminationMap: at the origin, aiming
