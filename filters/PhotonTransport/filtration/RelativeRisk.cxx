@@ -135,7 +135,7 @@ Admission AdmitByRelativeRisk(const SmoothingGraph& graph, const CandidateMaps& 
         risks[v] = RisksAt(candidates, v, photonOfRing[v]);
       }
     });
-  risks = Pool(graph, RiskPool, risks, monitor);
+  risks = Pool(graph, RiskPool, std::move(risks), monitor);
   Admission admission(risks.size());
   ForEach(risks.size(),
     [&](std::size_t v)

@@ -151,7 +151,7 @@ Selection Blend(const SmoothingGraph& graph, const CandidateMaps& candidates, co
   {
     weights[v][choice[v]] = 1.0f;
   }
-  weights = Pool(graph, BlendPool, weights, monitor);
+  weights = Pool(graph, BlendPool, std::move(weights), monitor);
   Selection selection{ GroupColumns(choice.size()), std::vector<double>(choice.size(), 0.0),
     std::vector<float>(choice.size(), 0.0f) };
   ForEach(choice.size(),

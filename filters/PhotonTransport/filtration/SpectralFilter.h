@@ -44,19 +44,19 @@ using FiltrationMonitor = std::function<void(double)>;
 
 /// Applies several filters to the same columns at the price of the longest, by Chebyshev's
 /// recurrence as in Hammond, Vandergheynst and Gribonval, "Wavelets on Graphs via Spectral Graph
-/// Theory", 2011, section 6. Made for N = 1, 4 and 12.
+/// Theory", 2011, section 6. Made for N = 4 and 12.
 /// @return [filter][vertex][column].
 template <std::size_t N>
 std::vector<Columns<N>> Apply(const SmoothingGraph& graph,
-  const std::vector<SpectralFilter>& filters, const Columns<N>& x,
-  const FiltrationMonitor& monitor);
+  const std::vector<SpectralFilter>& filters, Columns<N> x, const FiltrationMonitor& monitor);
 
 /// Means over a neighbourhood, by the heat kernel of a time.
 template <std::size_t N>
-Columns<N> Pool(const SmoothingGraph& graph, double time, const Columns<N>& values,
-  const FiltrationMonitor& monitor)
+Columns<N> Pool(
+  const SmoothingGraph& graph, double time, Columns<N> values, const FiltrationMonitor& monitor)
 {
-  return std::move(Apply<N>(graph, { SpectralFilter::Heat(time) }, values, monitor).front());
+  return std::move(
+    Apply<N>(graph, { SpectralFilter::Heat(time) }, std::move(values), monitor).front());
 }
 
 } // namespace PhotonTransport
