@@ -54,13 +54,18 @@ public:
   Row() = default;
   explicit Row(const std::array<float, N>& values)
   {
-    std::memcpy(this->Fours, values.data(), sizeof(values));
+    for (std::size_t i = 0; i < N / 4; ++i)
+    {
+      std::memcpy(&this->Fours[i], values.data() + 4 * i, sizeof(FourFloats));
+    }
   }
   void StoreTo(std::array<float, N>& values) const
   {
-    std::memcpy(values.data(), this->Fours, sizeof(values));
+    for (std::size_t i = 0; i < N / 4; ++i)
+    {
+      std::memcpy(values.data() + 4 * i, &this->Fours[i], sizeof(FourFloats));
+    }
   }
-
   friend Row operator-(Row a, const Row& b)
   {
     for (std::size_t i = 0; i < N / 4; ++i)

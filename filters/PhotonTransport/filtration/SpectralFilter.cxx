@@ -96,36 +96,33 @@ template <std::size_t N>
 Row<N> Product(const SmoothingGraph& graph, std::size_t v, const std::array<float, N>* x)
 {
   const Row<N> own(x[v]);
-  Row<N> flow;
+  Row<N> inflow; // -L x
   for (const SmoothingGraph::Edge& edge : graph.At(v))
   {
-    flow.Add(edge.conductance, own - Row<N>(x[edge.neighbour]));
+    inflow.Add(edge.conductance, Row<N>(x[edge.neighbour]) - own);
   }
-  return 2.0f / SmoothingGraph::LargestEigenvalue * graph.InverseArea(v) * flow - own;
+  return -2.0f / SmoothingGraph::LargestEigenvalue * graph.InverseArea(v) * inflow - own;
 }
 
 /// A step of Chebyshev's recurrence, T_{k+1} x = 2 y T_k x - T_{k-1} x. It replaces T_{k-1}, which
 /// is 0 before T_1 x = y x.
 template <std::size_t N>
-void Step(const SmoothingGraph& graph, float factor, const Columns<N>& current, Columns<N>& before,
-  const std::vector<SeriesPart<N>>& parts)
+void Step(const SmoothingGraph& graph, float factor, const Columns<N>& currentTerm,
+  Columns<N>& termBefore, const std::vector<SeriesPart<N>>& parts)
 {
-  ForRanges(graph.Vertices(),
-    [&](std::size_t first, std::size_t last)
+  ForEach(graph.Vertices(),
+    [=, &graph, &parts, current = currentTerm.data(), before = termBefore.data()](std::size_t v)
     {
-      for (std::size_t v = first; v < last; ++v)
+      const Row<N> old(before[v]);
+      const Row<N> next = factor * Product<N>(graph, v, current) - old;
+      next.StoreTo(before[v]);
+      for (const SeriesPart<N>& part : parts)
       {
-        const Row<N> old(before[v]);
-        const Row<N> next = factor * Product<N>(graph, v, current.data()) - old;
-        next.StoreTo(before[v]);
-        for (const SeriesPart<N>& part : parts)
-        {
-          Row<N> sum(part.sums[v]);
-          sum.Add(part.coefficients[0], old);
-          sum.Add(part.coefficients[1], Row<N>(current[v]));
-          sum.Add(part.coefficients[2], next);
-          sum.StoreTo(part.sums[v]);
-        }
+        Row<N> sum(part.sums[v]);
+        sum.Add(part.coefficients[0], old);
+        sum.Add(part.coefficients[1], Row<N>(current[v]));
+        sum.Add(part.coefficients[2], next);
+        sum.StoreTo(part.sums[v]);
       }
     });
 }
