@@ -32,9 +32,12 @@ std::vector<double> SeriesFromNodes(
   {
     const double value =
       response(0.5 * double{ SmoothingGraph::LargestEigenvalue } * (1.0 + cosines[2 * i + 1]));
-    for (std::size_t k = 0; k < series.size(); ++k)
+    std::size_t angle = 0; // (2 i + 1) k, less whole turns
+    for (double& coefficient : series)
     {
-      series[k] += value * cosines[(2 * i + 1) * k % cosines.size()];
+      coefficient += value * cosines[angle];
+      angle += 2 * i + 1;
+      angle -= angle < cosines.size() ? 0 : cosines.size();
     }
   }
   for (std::size_t k = 0; k < series.size(); ++k)
