@@ -107,21 +107,21 @@ Row<N> Product(const SmoothingGraph& graph, std::size_t v, const std::array<floa
   return -2.0f / SmoothingGraph::LargestEigenvalue * graph.InverseArea(v) * inflow - own;
 }
 
-/// A step of Chebyshev's recurrence, T_{k+1} x = 2 y T_k x - T_{k-1} x. It replaces T_{k-1}, which
-/// is 0 before T_1 x = y x.
+/// A step of Chebyshev's recurrence, T_{k+1} x = 2 y T_k x - T_{k-1} x. It replaces T_{k-1}. The
+/// first step, T_1 x = y x, finds neither that nor the sums set.
 template <std::size_t N>
-void Step(const SmoothingGraph& graph, float factor, const Columns<N>& currentTerm,
+void Step(const SmoothingGraph& graph, bool isFirst, const Columns<N>& currentTerm,
   Columns<N>& termBefore, const std::vector<SeriesPart<N>>& parts)
 {
   ForEach(graph.Vertices(),
     [=, &graph, &parts, current = currentTerm.data(), before = termBefore.data()](std::size_t v)
     {
-      const Row<N> old(before[v]);
-      const Row<N> next = factor * Product<N>(graph, v, current) - old;
+      const Row<N> old = isFirst ? Row<N>() : Row<N>(before[v]);
+      const Row<N> next = (isFirst ? 1.0f : 2.0f) * Product<N>(graph, v, current) - old;
       next.StoreTo(before[v]);
       for (const SeriesPart<N>& part : parts)
       {
-        Row<N> sum(part.sums[v]);
+        Row<N> sum = isFirst ? Row<N>() : Row<N>(part.sums[v]);
         sum.Add(part.coefficients[0], old);
         sum.Add(part.coefficients[1], Row<N>(current[v]));
         sum.Add(part.coefficients[2], next);
@@ -175,7 +175,11 @@ std::vector<Columns<N>> Apply(const SmoothingGraph& graph,
   {
     length = std::max(length, filter.Series().size());
   }
-  std::vector<Columns<N>> results(filters.size(), Columns<N>(graph.Vertices()));
+  std::vector<Columns<N>> results;
+  for (std::size_t i = 0; i < filters.size(); ++i)
+  {
+    results.emplace_back(graph.Vertices());
+  }
   Columns<N> before(graph.Vertices());
   Columns<N>& current = x;
   std::size_t added = 0; // terms
@@ -189,7 +193,7 @@ std::vector<Columns<N>> Apply(const SmoothingGraph& graph,
       parts = PartsOf<N>(filters, added, k + 1, results);
       added = k + 2;
     }
-    Step(graph, k == 0 ? 1.0f : 2.0f, current, before, parts);
+    Step(graph, k == 0, current, before, parts);
     std::swap(before, current);
   }
   return results;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/filtration/Columns.h"
 #include "PhotonTransport/filtration/SmoothingGraph.h"
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -11,10 +11,6 @@
 
 namespace PhotonTransport
 {
-
-/// N values a vertex that are filtered side by side.
-template <std::size_t N>
-using Columns = std::vector<std::array<float, N>>;
 
 /// A function p of M = A^-1 L, L the graph's Laplacian, as a polynomial: x -> p(M) x. Since p(0) =
 /// 1, constants stay and sum(A x) is conserved on every patch; since the polynomial is fixed, the
