@@ -113,19 +113,27 @@ template <std::size_t N>
 void Step(const SmoothingGraph& graph, bool isFirst, const Columns<N>& currentTerm,
   Columns<N>& termBefore, const std::vector<SeriesPart<N>>& parts)
 {
-  ForEach(graph.Vertices(),
-    [=, &graph, &parts, current = currentTerm.data(), before = termBefore.data()](std::size_t v)
+  ForRanges(graph.Vertices(),
+    [&](std::size_t first, std::size_t last)
     {
-      const Row<N> old = isFirst ? Row<N>() : Row<N>(before[v]);
-      const Row<N> next = (isFirst ? 1.0f : 2.0f) * Product<N>(graph, v, current) - old;
-      next.StoreTo(before[v]);
-      for (const SeriesPart<N>& part : parts)
+      const std::array<float, N>* const current = currentTerm.data();
+      std::array<float, N>* const before = termBefore.data();
+      const SeriesPart<N>* const firstPart = parts.data();
+      const SeriesPart<N>* const lastPart = firstPart + parts.size();
+      const bool unset = isFirst;
+      for (std::size_t v = first; v < last; ++v)
       {
-        Row<N> sum = isFirst ? Row<N>() : Row<N>(part.sums[v]);
-        sum.Add(part.coefficients[0], old);
-        sum.Add(part.coefficients[1], Row<N>(current[v]));
-        sum.Add(part.coefficients[2], next);
-        sum.StoreTo(part.sums[v]);
+        const Row<N> old = unset ? Row<N>() : Row<N>(before[v]);
+        const Row<N> next = (unset ? 1.0f : 2.0f) * Product<N>(graph, v, current) - old;
+        next.StoreTo(before[v]);
+        for (const SeriesPart<N>* part = firstPart; part != lastPart; ++part)
+        {
+          Row<N> sum = unset ? Row<N>() : Row<N>(part->sums[v]);
+          sum.Add(part->coefficients[0], old);
+          sum.Add(part->coefficients[1], Row<N>(current[v]));
+          sum.Add(part->coefficients[2], next);
+          sum.StoreTo(part->sums[v]);
+        }
       }
     });
 }
