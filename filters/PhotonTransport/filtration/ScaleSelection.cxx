@@ -102,21 +102,23 @@ Choice LeastRisk(const CandidateColumns& risks, const Admits& admits)
 CandidateColumns FirstRisks(const SmoothingGraph& graph, CandidateColumns risks,
   const Admission& admission, const FiltrationMonitor& monitor)
 {
-  const std::vector<CandidateColumns> pooled = Apply<12>(graph,
+  std::vector<CandidateColumns> pooled = Apply<12>(graph,
     { SpectralFilter::Heat(FirstPool), SpectralFilter::Heat(NearPool) }, std::move(risks), monitor);
-  const CandidateColumns& wide = pooled[0];
+  CandidateColumns& wide = pooled[0];
   const CandidateColumns& near = pooled[1];
   const auto admits = [&](std::size_t k, std::size_t v) { return Admits(admission, k, v); };
   const Choice choiceOfWide = LeastRisk(wide, admits);
   const Choice choiceOfNear = LeastRisk(near, admits);
-  CandidateColumns first(wide.size());
-  ForEach(first.size(),
+  ForEach(wide.size(),
     [&](std::size_t v)
     {
       const float loss = near[v][choiceOfWide[v]] - near[v][choiceOfNear[v]];
-      first[v] = loss > PlainDifference * near[v][NoiseColumn] ? near[v] : wide[v];
+      if (loss > PlainDifference * near[v][NoiseColumn])
+      {
+        wide[v] = near[v];
+      }
     });
-  return first;
+  return std::move(wide);
 }
 
 /// The share of each candidate at a vertex, from the pooled choices of its neighbourhood. It has no
