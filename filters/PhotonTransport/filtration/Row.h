@@ -8,11 +8,8 @@
 namespace PhotonTransport
 {
 
-/// Four values that are computed side by side. Compilers that have a name for a register of four
-/// need it: left to themselves, they take the values apart.
-#if defined(__GNUC__)
-using FourFloats = float __attribute__((vector_size(16)));
-#else
+/// Four values that are computed side by side. Compilers see that they fit one register; they take
+/// longer arrays apart.
 struct FourFloats
 {
   float values[4];
@@ -44,7 +41,6 @@ inline FourFloats operator*(float factor, FourFloats a)
   }
   return a;
 }
-#endif
 
 /// The N values of a vertex, four at a time.
 template <std::size_t N>

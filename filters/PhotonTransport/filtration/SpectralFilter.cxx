@@ -116,6 +116,7 @@ void Step(const SmoothingGraph& graph, bool isFirst, const Columns<N>& currentTe
   ForRanges(graph.Vertices(),
     [&](std::size_t first, std::size_t last)
     {
+      // Stores could change what is reached through references; copies stay in registers.
       const std::array<float, N>* const current = currentTerm.data();
       std::array<float, N>* const before = termBefore.data();
       const SeriesPart<N>* const firstPart = parts.data();
