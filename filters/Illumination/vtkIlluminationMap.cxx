@@ -135,7 +135,8 @@ int vtkIlluminationMap::FillInputPortInformation(int port, vtkInformation* info)
   {
     return this->Superclass::FillInputPortInformation(port, info);
   }
-  // Anything: groups as a whole, and what is no luminaire gets an error that names it.
+  // Any data: a group arrives as a whole, and data that are no luminaire get an error that names
+  // them.
   info->Set(INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   info->Set(INPUT_IS_OPTIONAL(), 1);
   info->Set(INPUT_IS_REPEATABLE(), 1);

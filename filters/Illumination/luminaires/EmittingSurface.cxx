@@ -30,7 +30,8 @@ using namespace PhotonTransport;
 
 constexpr const char* Exitance = "Exitance";
 
-/// Of twice the facet's area, to the side round which its corners run counter-clockwise.
+/// A vector as long as twice the facet's area, to the side round which its corners run
+/// counter-clockwise.
 glm::dvec3 AreaVector(const EmittingMesh& mesh, const glm::uvec3& facet)
 {
   const glm::dvec3& a = mesh.points[facet.x];
@@ -62,7 +63,8 @@ void TurnToNormals(
   }
 }
 
-/// The scale of a light's colour means nothing; a mesh without light is white.
+/// The colour scaled so that its largest part is 1, since only ratios count. A mesh without light
+/// is white.
 Colour WithLargestOne(const glm::dvec3& colour)
 {
   const double largest = std::max({ colour.x, colour.y, colour.z });

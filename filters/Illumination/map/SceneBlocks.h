@@ -21,7 +21,7 @@ public:
   SceneBlocks(vtkDataObject* data, const SurfaceDescription& description);
 
   const PhotonTransport::Surface& Surface() const { return this->All; }
-  /// All with polygons or strips; those without a triangle in the scene come last.
+  /// All blocks with polygons or strips; those without a triangle in the scene come last.
   const std::vector<SceneBlock>& Blocks() const { return this->Parts; }
   std::size_t BlocksNotPolygonal() const { return this->OtherBlocks; }
 
@@ -38,7 +38,7 @@ private:
 
   PhotonTransport::Surface All;
   std::vector<SceneBlock> Parts;
-  std::vector<SceneBlock> Unlit; ///< Until all others are known.
+  std::vector<SceneBlock> Unlit; ///< Blocks without a triangle, until they are put last.
   std::size_t OtherBlocks = 0;
 };
 

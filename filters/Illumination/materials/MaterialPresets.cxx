@@ -83,7 +83,7 @@ Material MaterialOf(MaterialPreset preset)
       return Matt(Colour(0.50f, 0.32f, 0.20f));
     case MaterialPreset::Fabric: // curtains and lamp shades: E+ (medium reflect, medium trans)
       return Translucent(0.5f, 0.4f);
-    case MaterialPreset::BlackPaint: // 0.03 to 0.10, LR; nearer to its middle by ratio
+    case MaterialPreset::BlackPaint: // 0.03 to 0.10, LR; the geometric mean, rounded
       return Matt(0.05f);
     case MaterialPreset::Aluminium:
       return Aluminium();

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-/// Input that can't be used; what() is the whole message for the user.
+/// Thrown for input that can't be used; what() is the whole message for the user.
 class InputError : public std::runtime_error
 {
 public:

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-/// A vertex of the scene whose values a ghost point gets, too.
+/// A vertex of the scene whose values a ghost point gets as well.
 struct BorrowedVertex
 {
   std::size_t vertex; ///< Of the scene.
@@ -30,12 +30,12 @@ struct SceneBlock : NamedSurface
   std::vector<vtkIdType> pointOfVertex; ///< A point has more than one where normals were split.
   std::vector<vtkIdType> cellOfFacet;
   bool normalsWereComputed = false;
-  LeftOut ghosts;                       ///< As SurfaceTriangles says.
-  LeftOut withoutArea;                  ///< Likewise.
-  LeftOut uncut;                        ///< Likewise.
+  LeftOut ghosts;                       ///< See SurfaceTriangles.
+  LeftOut withoutArea;                  ///< See SurfaceTriangles.
+  LeftOut uncut;                        ///< See SurfaceTriangles.
   std::vector<BorrowedVertex> borrowed; ///< Of the block's ghost points.
   std::vector<bool> borrows;            ///< Which points have a borrowed one; or empty.
-  std::size_t ownerlessGhosts = 0;      ///< Points: see GhostPoints.
+  std::size_t ownerlessGhosts = 0;      ///< GhostPoints::ownerless.
   vtkIdType firstOwnerlessGhost = -1;
 };
 

@@ -10,7 +10,7 @@
 struct SurfaceDescription
 {
   PhotonTransport::Material material; ///< Where no array says otherwise.
-  std::string reflectanceArray;       ///< Empty: the array of the usual name, if there is one.
+  std::string reflectanceArray;       ///< Empty: DiffuseReflectance, where materialArrays.
   bool materialArrays = true;         ///< Whether arrays named as MaterialProperties count.
   std::string exitanceArray;          ///< Empty: nothing emits.
   double metresPerUnit = 1.0;
