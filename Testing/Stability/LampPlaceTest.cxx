@@ -219,7 +219,8 @@ TEST_F(LampPlace, JustBesideTheCeiling)
     "from 1e-6 of the room behind to 1e-3 before the ceiling");
 }
 
-// Far behind the ceiling a lamp shines on its back, as it would.
+// Far behind the ceiling a lamp shines on its back, as it would. This has always held, and lamps
+// that are moved must not change it.
 TEST_F(LampPlace, BehindTheCeilingItStaysDark)
 {
   const Surface room = Shapes::Box(Low, High, 4, Facing::Inward);

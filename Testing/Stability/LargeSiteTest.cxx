@@ -81,6 +81,8 @@ TraceSettings FlatSettings()
 
 } // namespace
 
+// Starts that are as far from walls as the site's rounding wants keep the light in too; those that
+// go by the place are nearer and must not lose it.
 TEST(LargeSite, ARoomKeepsItsLight)
 {
   std::uint64_t segments = 0;
@@ -143,7 +145,8 @@ TEST(LargeSite, ThinCavitiesKeepTheirLight)
       "escaped");
 }
 
-// A closed shell of two walls 0.5 mm apart, lit from outside by the sun and by a lamp: dark inside.
+// A closed shell of two walls 0.5 mm apart, lit from outside by the sun and by a lamp: dark inside,
+// as with starts that go by the site.
 TEST(LargeSite, ThinWallsKeepLightOut)
 {
   std::uint64_t photons = 0;

@@ -2,6 +2,7 @@
 #include "SceneBlocks.h"
 
 #include "CellValues.h"
+#include "ComputedNormals.h"
 #include "FacetMaterials.h"
 #include "GhostPoints.h"
 #include "InputChecks.h"
@@ -14,24 +15,11 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataNormals.h"
 
 #include <algorithm>
 
 namespace
 {
-
-/// Normals for triangles without any, which split points at edges.
-vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* triangles, double featureAngle)
-{
-  vtkNew<vtkPolyDataNormals> split;
-  split->SetInputData(triangles);
-  split->SetFeatureAngle(featureAngle);
-  split->SplittingOn();
-  split->ConsistencyOn();
-  split->Update();
-  return split->GetOutput();
-}
 
 std::string NameOf(const char* what, vtkIdType id, const SceneBlock& block)
 {
