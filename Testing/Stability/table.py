@@ -37,8 +37,8 @@ def case_of(suite):
 
 
 def words(name):
-    """A test's name as words: LightAlongAPlane -> light along a plane."""
-    spaced = re.sub(r"(?<=[a-z])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ", name)
+    """A test's name as words: LightAlongAPlane -> Light along a plane."""
+    spaced = re.sub(r"(?<=[a-z])(?=[A-Z0-9])|(?<=[0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ", name)
     return spaced[0] + spaced[1:].lower()
 
 
