@@ -177,17 +177,21 @@ TEST_F(FilterSharedPlaces, CopiesAnywhereInARandomRoomChangeNoLight)
     for (std::size_t i = 0; i < copies; ++i)
     {
       Cell copy = room.polygons[random() % room.polygons.size()];
-      if (copy.corners.size() == 3) // a square from another corner is cut into other triangles
+      if (copy.corners.size() == 3 || !withNormals) // else a square may be cut the other way
       {
-        std::rotate(copy.corners.begin(), copy.corners.begin() + random() % 3, copy.corners.end());
-        if (withNormals && random() % 2 == 0) // else the winding tells the front
-        {
-          std::swap(copy.corners[0], copy.corners[1]);
-        }
+        std::rotate(copy.corners.begin(),
+          copy.corners.begin() + static_cast<std::ptrdiff_t>(random() % copy.corners.size()),
+          copy.corners.end());
+      }
+      if (copy.corners.size() == 3 && withNormals && random() % 2 == 0)
+      {
+        std::swap(copy.corners[0], copy.corners[1]); // the normals tell the front, not the winding
       }
       triangles += copy.corners.size() - 2;
-      const auto place = static_cast<std::ptrdiff_t>(random() % (room.polygons.size() + 1));
-      room.polygons.insert(room.polygons.begin() + place, copy);
+      // The first of several squares decides along which diagonal they are cut.
+      const std::size_t first = copy.corners.size() == 3 ? 0 : room.polygons.size();
+      const std::size_t place = first + random() % (room.polygons.size() + 1 - first);
+      room.polygons.insert(room.polygons.begin() + static_cast<std::ptrdiff_t>(place), copy);
     }
     this->ExpectLightOf(
       alone, this->Light(room.Data(single, withNormals))[0], RelativeNoise(alone));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ComputedNormals.h"
 
+#include "CellCopies.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -10,10 +12,8 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace
@@ -34,27 +34,6 @@ std::vector<Corners> CornersOf(vtkPolyData* triangles)
     corners.push_back({ ids[0], ids[1], ids[2] });
   }
   return corners;
-}
-
-/// For each triangle the first one with the same corners in the same order but for their start.
-std::vector<std::size_t> FirstOfCopies(std::vector<Corners> corners)
-{
-  for (Corners& c : corners)
-  {
-    std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-  }
-  std::vector<std::size_t> order(corners.size());
-  std::iota(order.begin(), order.end(), std::size_t{ 0 });
-  std::sort(order.begin(), order.end(),
-    [&](std::size_t a, std::size_t b)
-    { return corners[a] != corners[b] ? corners[a] < corners[b] : a < b; });
-  std::vector<std::size_t> first(corners.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    const bool isCopy = i > 0 && corners[order[i]] == corners[order[i - 1]];
-    first[order[i]] = isCopy ? first[order[i - 1]] : order[i];
-  }
-  return first;
 }
 
 vtkSmartPointer<vtkCellArray> Cells(const std::vector<Corners>& triangles)
@@ -85,16 +64,17 @@ vtkSmartPointer<vtkPolyData> SplitByVtk(vtkPolyData* triangles, double featureAn
 vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* triangles, double featureAngle)
 {
   const std::vector<Corners> corners = CornersOf(triangles);
-  const std::vector<std::size_t> first = FirstOfCopies(corners);
+  const std::vector<vtkIdType> first = FirstOfCopies(triangles->GetPolys());
   std::vector<Corners> kept;
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName("IlluminationTriangleIds");
   for (std::size_t t = 0; t < corners.size(); ++t)
   {
-    if (first[t] == t)
+    const auto id = static_cast<vtkIdType>(t);
+    if (first[t] == id)
     {
       kept.push_back(corners[t]);
-      ids->InsertNextValue(static_cast<vtkIdType>(t));
+      ids->InsertNextValue(id);
     }
   }
   if (kept.size() == corners.size())
@@ -117,7 +97,7 @@ vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* triangles, double featureA
   }
   for (std::size_t t = 0; t < all.size(); ++t)
   {
-    all[t] = all[first[t]]; // the first of copies comes before them
+    all[t] = all[static_cast<std::size_t>(first[t])]; // the first of copies comes before them
   }
   result->SetPolys(Cells(all));
   result->GetCellData()->ShallowCopy(triangles->GetCellData());
