@@ -4,6 +4,7 @@
 #include "Illumination/materials/FacetMaterials.h"
 #include "Illumination/pipeline/InputError.h"
 #include "Illumination/surface/CellExitance.h"
+#include "Illumination/surface/ComputedNormals.h"
 #include "Illumination/surface/GhostPoints.h"
 #include "Illumination/surface/InputChecks.h"
 
@@ -11,25 +12,12 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataNormals.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
 
 namespace
 {
-
-/// Normals for triangles without any, which split points at edges.
-vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* triangles, double featureAngle)
-{
-  vtkNew<vtkPolyDataNormals> split;
-  split->SetInputData(triangles);
-  split->SetFeatureAngle(featureAngle);
-  split->SplittingOn();
-  split->ConsistencyOn();
-  split->Update();
-  return split->GetOutput();
-}
 
 std::string NameOf(const char* what, vtkIdType id, const SceneBlock& block)
 {

@@ -45,7 +45,9 @@ std::vector<std::string> NotesOnSharedPlaces(
   const PhotonTransport::SharedPlaceNotes& found = scene.Notes().sharedPlaces;
   std::vector<std::string> notes;
   AddSharedPlaces(notes, blocks, found.copies,
-    "are copies of others, with the same corners and facing the same way",
+    found.copies.facets == 1
+      ? "is a copy of another one, with the same corners and facing the same way"
+      : "are copies of others, with the same corners and facing the same way",
     "they count once, and the points of all copies get the whole light");
   AddSharedPlaces(notes, blocks, found.inPart,
     "overlap others in their plane that face the same way",
