@@ -113,7 +113,8 @@ std::optional<StopReason> IlluminationRun::RuleReached(const StopRules& rules) c
     return StopReason::RelativeError;
   }
   if (rules.relativeError > 0.0 && this->BlocksTraced() * PhotonBlock >= MostPhotonsInTheDark &&
-    !this->Sums.AnyLight(&IlluminationSums::front))
+    !this->Sums.AnyLight(&IlluminationSums::front) &&
+    !this->Sums.AnyLight(&IlluminationSums::back))
   {
     return StopReason::NothingLit;
   }
