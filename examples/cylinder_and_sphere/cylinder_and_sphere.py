@@ -2,7 +2,7 @@
 """A coarse cylinder and sphere under parallel light, by each registration and exactly.
 
 Figures 2 to 4 of the paper, and our own registration. Run by pvbatch: cylinder_and_sphere.py
-OUTPUT_DIR. Writes pictures and a table there.
+OUTPUT_DIR. Writes two pictures and a table there.
 """
 
 import sys

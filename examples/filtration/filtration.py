@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The cabin before and after filtration (the paper's figure 9), and the photons that it saves.
 
-Run by pvbatch: filtration.py OUTPUT_DIR. Writes filtration.png and a table there.
+Run by pvbatch: filtration.py OUTPUT_DIR. Writes filtration.png and two tables there.
 """
 
 import sys

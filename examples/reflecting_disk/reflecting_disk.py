@@ -2,7 +2,7 @@
 """A coarse cylinder and sphere in nothing but the light that a disk reflects, by each registration.
 
 Figures 5 and 6 of the paper, our own registration, and the exact illuminance by quadrature. Run by
-pvbatch: reflecting_disk.py OUTPUT_DIR. Writes pictures and a table there.
+pvbatch: reflecting_disk.py OUTPUT_DIR. Writes two pictures and a table there.
 """
 
 import sys
