@@ -14,7 +14,7 @@ namespace
 /// Bias over slope and over curvature, as measured in the rows beside the shadows of plates, at the
 /// feet of boxes and in dim creases. Each alone finds them; gentle light has one without the other.
 constexpr double BiasOfSlope = 0.65;
-constexpr double BiasOfCurvature = 4.0;
+constexpr double BiasOfCurvature = 5.0;
 /// Share of the noise variance of the map that the squared bias reaches: RelativeRisk admits no
 /// width that does much worse than that noise.
 constexpr double MostOfNoise = 0.7;
