@@ -82,7 +82,7 @@ void Measure(const Shapes::Surface& surface, const char* order, int threads)
     });
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  std::printf("| %zu | %s | %.2f | %.2f | %.2f | %.2f |\n", surface.points.size(), order,
+  std::printf("| %zu | %s | %.3f | %.3f | %.2f | %.2f |\n", surface.points.size(), order,
     graphSeconds, seconds, 1e6 * (graphSeconds + seconds) / double(surface.points.size()),
     static_cast<double>(usage.ru_maxrss) * 0x1p-20);
   std::fflush(stdout);

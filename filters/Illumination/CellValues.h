@@ -11,15 +11,15 @@
 class vtkDataArray;
 struct SceneBlock;
 
-/// What the values of a cell array mean and how large they may be; none may be below 0.
+/// What the values of a cell array mean and how large they may be. None may be below 0.
 struct CellValueKind
 {
-  const char* what;
+  const char* what; ///< For messages, such as "exitance".
   double largest;
-  bool colours = true; ///< Whether three components will do too.
+  bool colours = true; ///< Whether the array may have three components.
 };
 
-/// A colour for each cell of a block: a constant, or what an array says. One component is grey.
+/// A colour for each cell of a block: a constant, or the value of an array. One component is grey.
 class CellValues
 {
 public:
@@ -28,8 +28,9 @@ public:
   {
   }
 
-  /// Throws InputError if the block has no numeric cell array of that name with 1 or 3 components,
-  /// one tuple a cell, and all values within [0, kind.largest].
+  /// Throws InputError unless the block has a numeric cell array of that name with 1 or, where
+  /// kind.colours, 3 components and one tuple a cell, and all values of cells that have a facet are
+  /// within [0, kind.largest].
   CellValues(const SceneBlock& block, const std::string& arrayName, const CellValueKind& kind);
 
   PhotonTransport::Colour Of(vtkIdType cell) const;

@@ -35,7 +35,7 @@ float Checked(double value, double least, double most, const char* property)
   return static_cast<float>(value);
 }
 
-/// The core counts without a sign and refuses 0 itself.
+/// Refuses numbers below 0, which the core's unsigned types can't hold. The core refuses 0.
 template <typename Unsigned, typename Signed>
 Unsigned Count(Signed value, const char* what)
 {
@@ -89,8 +89,8 @@ bool IsBlank(const std::string& name)
   return name.find_first_not_of(" \t\r\n") == std::string::npos;
 }
 
-/// Each name once, and none blank: "Lamp 2", "Spot (2)". Names that are given and not yet taken
-/// stay as they are, wherever they stand.
+/// Makes names unique and not blank, such as "Lamp 2" and "Spot (2)". The first luminaire with a
+/// given name keeps it.
 void GiveNames(std::vector<PhotonTransport::Luminaire>& luminaires)
 {
   std::set<std::string> taken;
@@ -114,7 +114,7 @@ void GiveNames(std::vector<PhotonTransport::Luminaire>& luminaires)
   }
 }
 
-/// Of cells that no array describes.
+/// The material of cells that no array describes.
 PhotonTransport::Material MaterialOf(vtkIlluminationMap* filter)
 {
   using PhotonTransport::Colour;

@@ -58,7 +58,8 @@ std::vector<glm::uvec3> FacetsOf(vtkPolyData* mesh)
   return facets;
 }
 
-/// Of twice the facet's area, to the side round which its corners run counter-clockwise.
+/// A vector as long as twice the facet's area, to the side round which its corners run
+/// counter-clockwise.
 glm::dvec3 AreaVector(const EmittingMesh& mesh, const glm::uvec3& facet)
 {
   const glm::dvec3& a = mesh.points[facet.x];
@@ -101,7 +102,8 @@ Colour ColourOf(vtkDataArray* exitance, vtkIdType cell)
   return colour;
 }
 
-/// The scale of a light's colour means nothing; a mesh without light is white.
+/// The colour scaled so that its largest part is 1, since only ratios count. A mesh without light
+/// is white.
 Colour WithLargestOne(const glm::dvec3& colour)
 {
   const double largest = std::max({ colour.x, colour.y, colour.z });

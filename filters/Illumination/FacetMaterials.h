@@ -6,8 +6,9 @@
 
 #include <vector>
 
-/// Gives the facets of all blocks their materials, from cell arrays and properties: as reflectances
-/// alone where nothing else is described. Throws InputError that names array, cell and value.
+/// Gives the facets of all blocks their materials, from cell arrays and properties. Where these
+/// describe nothing but diffuse reflection without colour, the result is Surface::reflectance
+/// alone. Throws InputError that names the array, the cell and the value.
 void DescribeMaterials(const std::vector<SceneBlock>& blocks, const SurfaceDescription& description,
   PhotonTransport::Surface& surface);
 

@@ -41,7 +41,7 @@ inline void AddArray(vtkFieldData* data, const char* name, const std::vector<std
   AddNumbers<vtkIdTypeArray>(data, name, values);
 }
 
-/// One component a number.
+/// Each number of a tuple becomes a component.
 template <std::size_t Size>
 void AddArray(
   vtkFieldData* data, const char* name, const std::vector<std::array<double, Size>>& tuples)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values to and from field arrays, by calls that look the same both ways.
+// Writes values to field arrays and reads them back, by calls of the same form.
 #ifndef FieldValues_h
 #define FieldValues_h
 
@@ -52,7 +52,7 @@ private:
 }
 
 /// Takes each value from the field array of its name. Throws InputError for an array that is
-/// missing, of the wrong size or kind, or not finite.
+/// missing, of the wrong size or kind, or holds a number that is not finite.
 class FieldReader
 {
 public:
@@ -69,7 +69,7 @@ public:
     }
     text = array->GetValue(0);
   }
-  /// Any number of them; none where the array is missing.
+  /// Any number of texts; none where the array is missing.
   void operator()(const char* name, std::vector<std::string>& texts) const
   {
     auto* array = vtkStringArray::SafeDownCast(this->Fields->GetAbstractArray(name));

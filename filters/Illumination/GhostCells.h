@@ -9,25 +9,28 @@
 class vtkPolyData;
 class vtkUnsignedCharArray;
 
-/// Which cells of a block the cell array vtkGhostType takes out of it, as VTK's own filters and
-/// renderers do: copies of another block's cells, cells that finer ones stand for, hidden ones.
+/// Which cells of a block are not part of the scene by the cell array vtkGhostType: duplicates of
+/// another block's cells, cells that finer cells replace, and hidden cells. VTK's own filters and
+/// renderers leave them out, too.
 class GhostCells
 {
 public:
-  /// Throws InputError for an array that does not fit the cells; one that does not hold unsigned
-  /// chars is no such array to VTK, and none here. @param block As messages name it.
+  /// Throws InputError for an array whose size does not fit the cells. An array of another type
+  /// than unsigned char is ignored, as VTK does. @param block How messages name the data: " of
+  /// block 2", or "".
   GhostCells(vtkPolyData* data, const std::string& block);
 
   bool Any() const { return this->Flags != nullptr; }
   bool IsGhost(vtkIdType cell) const;
-  /// A copy of another block's cell, which may be found there.
+  /// Whether the cell is a duplicate of another block's cell, and neither replaced nor hidden.
   bool IsCopy(vtkIdType cell) const;
 
 private:
   vtkUnsignedCharArray* Flags;
 };
 
-/// The array vtkGhostType of the points; null if there is none. Throws InputError as above.
+/// The point array vtkGhostType; null if there is none. Throws InputError if its size does not fit
+/// the points.
 vtkUnsignedCharArray* GhostPointFlags(vtkPolyData* data, const std::string& block);
 
 #endif

@@ -73,7 +73,8 @@ public:
     return place;
   }
 
-  /// To the front: the normal that is given, or that of the cells around by their winding.
+  /// The unit vector to the front: the given normal, or without any the mean of the cells around,
+  /// by their winding.
   glm::dvec3 FrontOf(vtkIdType point)
   {
     glm::dvec3 front;
@@ -90,7 +91,7 @@ public:
   }
 
 private:
-  /// Those of the scene and copies.
+  /// Calls f for the cells of the scene and for duplicates of other blocks' cells.
   template <typename Function>
   void ForEachCell(const Function& f) const
   {
@@ -111,7 +112,8 @@ private:
     }
   }
 
-  /// A polygon by its fan; a strip by its first triangle, the others being much the same.
+  /// Sums area vectors of cells: of a polygon all triangles of its fan, of a strip the first
+  /// triangle, which faces much as the others do.
   void SumAreas()
   {
     this->Fronts.assign(static_cast<std::size_t>(this->Count()), glm::dvec3(0.0));
@@ -150,7 +152,7 @@ bool HasGhosts(vtkPolyData* data, const std::string& block)
   return GhostCells(data, block).Any() || GhostPointFlags(data, block);
 }
 
-/// NaN has no place in an order.
+/// The search needs finite places.
 bool IsFinite(const Position& place)
 {
   return std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]);

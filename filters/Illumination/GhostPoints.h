@@ -11,7 +11,7 @@
 
 class vtkPolyData;
 
-/// A point that is a copy of another one, its owner, whose value it gets.
+/// A point that is a copy of another point, its owner. It gets the owner's value.
 struct GhostPoint
 {
   vtkIdType point;
@@ -23,15 +23,16 @@ struct GhostPoint
 struct GhostPoints
 {
   std::vector<GhostPoint> owned;
-  std::size_t ownerless = 0;     ///< Those whose owner is not in the input and which get no light.
+  /// Ghost points that no cell of the scene uses and whose owner is not in the input: they get no
+  /// light.
+  std::size_t ownerless = 0;
   vtkIdType firstOwnerless = -1; ///< Point id.
 };
 
-/// The points of each block that vtkGhostType marks as copies, or that only cells use which it
-/// marks as such (GhostCells), with their owners: points that are no copies, of a surface in the
-/// same place that faces the same way. Positions are the same up to the rounding of
-/// single precision. Nothing is found where
-/// there is no vtkGhostType; the result is then empty.
+/// Finds the ghost points of each block and their owners. A ghost point is marked as a duplicate by
+/// the point array vtkGhostType, or used by duplicate cells only (GhostCells::IsCopy). Its owner is
+/// a point of the scene that is no ghost point, in the same place up to the rounding of single
+/// precision, and faces the same way. The result is empty if no block has an array vtkGhostType.
 /// @param blocks Each with its name for messages; their cells must be valid.
 std::vector<GhostPoints> FindGhostPoints(
   const std::vector<std::pair<vtkPolyData*, std::string>>& blocks);

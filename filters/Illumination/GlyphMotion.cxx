@@ -23,7 +23,7 @@ constexpr double Flat = 1e-9;           ///< Thinner than this, of the points' s
 constexpr double LargestSize = 1e100;   ///< Whose square is finite.
 constexpr double SmallestSize = 1e-100; ///< Whose square is not 0.
 
-/// From the first point, so that a place far away costs no digits.
+/// The points relative to the first one, so that a place far away costs no digits.
 Points Relative(const Points& points, double sign)
 {
   Points relative;

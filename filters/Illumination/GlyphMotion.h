@@ -25,10 +25,11 @@ struct GlyphMotion
   }
 };
 
-/// The motion that takes each point from where it was to where it is, within 0.1 % of the distance
-/// between them: that is room for the rounding of coordinates and too little to see in the light.
-/// Points on one plane or line are turned rather than mirrored. Throws InputError where no such
-/// motion is.
+/// The motion that takes each point from where it was to where it is. No point may be off by more
+/// than 0.1 % of the largest distance of a point from the first one: that is room for the rounding
+/// of coordinates, and too little to be seen in the light. Where a rotation and a mirror image fit
+/// equally well, as for points on a plane or a line, the rotation is taken. Throws InputError if no
+/// such motion fits.
 /// @param was, is As many points each.
 GlyphMotion FindMotion(const std::vector<glm::dvec3>& was, const std::vector<glm::dvec3>& is);
 

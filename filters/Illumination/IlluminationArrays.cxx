@@ -36,8 +36,8 @@ std::vector<double> Sum(const std::vector<double>& a, const std::vector<double>&
   return sum;
 }
 
-/// Where no light has come, nothing of it is known: 1. Where none can come, at a point without a
-/// triangle, there is no error: 0.
+/// 1 where no light has come, since nothing is known of it; 0 at a point without a triangle, where
+/// none can come.
 std::vector<double> RelativeErrors(
   const std::vector<double>& errors, const std::vector<double>& illuminance)
 {

@@ -11,16 +11,19 @@ class SceneBlocks;
 class vtkFieldData;
 class vtkTable;
 
-/// Adds the map's point arrays to each block's data.
+/// Adds Illuminance, IlluminanceDirect, IlluminanceIndirect, StandardError, RelativeError and
+/// PhotonHits to each block's point data. @param backSide Also IlluminanceBack and
+/// StandardErrorBack.
 void AddPointArrays(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
   const PhotonTransport::IlluminationRun& run, bool backSide);
 
-/// Adds the light by colour, where there is any, and by luminaire.
-/// @param lighting Whose luminaires are kept apart; null if none are.
+/// Adds IlluminanceRGB, if the run has colours, and Illuminance_<name> for each luminaire.
+/// @param lighting The luminaires; null if they are not kept apart.
 void AddLayers(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
   const PhotonTransport::IlluminationRun& run, const PhotonTransport::Lighting* lighting);
 
-/// Adds what the smoothing of the map works best with.
+/// Adds IlluminanceDirectGroups and IlluminanceIndirectGroups, by which the map is best smoothed;
+/// nothing if the run ended before each group had a photon.
 void AddGroupMeans(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
   const PhotonTransport::IlluminationRun& run);
 
@@ -28,16 +31,16 @@ void AddGroupMeans(const SceneBlocks& blocks, const PhotonTransport::Scene& scen
 void AddFieldData(vtkFieldData* output, const PhotonTransport::IlluminationRun& run,
   PhotonTransport::StopReason reason, const std::vector<std::string>& notes);
 
-/// Adds what the run was expected to take at most, in bytes.
+/// Adds MemoryNeeded, the bytes that the run was expected to take at most.
 void AddMemoryNeeded(vtkFieldData* output, std::uint64_t bytes);
 
-/// A row for each round.
+/// Fills the table with a row for each round; without any it has columns and no row.
 void FillAccuracyTable(vtkTable* table, const std::vector<PhotonTransport::Accuracy>& rounds);
 
-/// What was found in the input and mended, in words; empty if nothing was.
+/// What was found in the input, and mended or left out, in words; empty if there was nothing.
 std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTransport::Scene& scene);
 
-/// What the readers of photometric files assumed.
+/// What the readers of photometric files assumed, in words.
 std::vector<std::string> NotesOn(const PhotonTransport::Lighting& lighting);
 
 #endif

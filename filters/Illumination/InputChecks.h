@@ -10,22 +10,22 @@
 class vtkDataArray;
 class vtkPolyData;
 
-/// Throws InputError unless every cell array is what VTK takes it for and every index of a polygon
-/// or strip is one of a point: VTK's filters follow offsets and indices without a look.
+/// Throws InputError unless the offsets of all cells are consistent and all indices of polygons and
+/// strips are those of points. VTK's filters use both without checking them.
 /// @param block How messages name the data: " of block 2", or "".
 void RequireValidCells(vtkPolyData* data, const std::string& block);
 
 /// Throws InputError, which names the point and the cell, for a corner whose coordinates are not
-/// all finite: VTK's filters would cut a hole or compute no number.
+/// all finite. VTK's filters would leave a hole or compute NaN.
 void RequireFiniteCorners(vtkPolyData* data, vtkIdType size, const vtkIdType* corners,
   vtkIdType cell, const std::string& block);
 
-/// Point normals as the pipeline marks them, or else the point array of that name; null if there is
-/// neither. Throws InputError if it does not hold three numbers a point.
+/// The array that the point data name as their normals, or else the point array "Normals"; null if
+/// there is neither. Throws InputError if it does not hold three numbers a point.
 vtkDataArray* CheckedNormals(vtkPolyData* data, const std::string& block);
 
-/// The cell array of that name. Throws InputError unless it holds numbers, one tuple a cell of one
-/// component or, where allowed, three.
+/// The cell array of that name. Throws InputError unless there is one that holds numbers, with one
+/// tuple a cell and one component or, where allowed, three.
 vtkDataArray* CheckedCellArray(
   vtkPolyData* data, const std::string& name, const std::string& block, bool threeAllowed = true);
 

@@ -17,17 +17,18 @@ struct Box
   glm::dvec3 most;
 };
 
-/// Around the triangles. There must be one.
+/// The bounding box of the triangles, of which there must be at least one.
 Box BoxOf(const PhotonTransport::Surface& surface);
 
-/// A lamp's point or centre; nothing for light from outside and for the surface's own facets.
+/// The position or centre of a lamp, for an emitting mesh the mean of its points; nothing for
+/// parallel light, skies and the surface's own facets.
 std::optional<glm::dvec3> PlaceOf(const PhotonTransport::Lamp& lamp);
 
-/// Farther from the box than this is across.
+/// Whether the place is farther from the box than the box's diagonal is long.
 bool IsFar(const glm::dvec3& place, const Box& box);
 
-/// For a place that is far from the box, a sentence on the unit in which it would be in the box,
-/// where there is such a one; or nothing.
+/// For a place that is far from the box and would be in it in another unit of length, a sentence
+/// that says so; otherwise empty.
 std::string HintOnUnits(const glm::dvec3& place, const Box& box);
 
 #endif

@@ -26,8 +26,8 @@ using namespace PhotonTransport;
 constexpr const char* Type = "LuminaireType";
 constexpr const char* Error = "LuminaireError";
 
-// What a lamp consists of, once for FieldWriter and FieldReader. A value that fields hold in other
-// terms is put into these terms, passed, and taken back from them.
+// The values of each lamp. FieldWriter and FieldReader share these functions. A value that fields
+// hold in another unit or type is converted, passed, and converted back.
 
 template <typename Fields>
 void PassAngle(const Fields& fields, const char* name, double& radians)
@@ -139,7 +139,7 @@ void Pass(const Fields& fields, CieSky& sky)
 
 const std::array<std::string, 3> SolidTypes{ "C", "B", "A" }; // as PhotometricSolid::Type counts
 
-/// The solid's functions go by these promises.
+/// What PhotometricSolid promises, on which its functions rely.
 void Check(const PhotometricSolid& solid)
 {
   const std::pair<const char*, const std::vector<double>&> grid[] = {

@@ -12,20 +12,22 @@ class vtkFieldData;
 class vtkPolyData;
 
 /// Adds field arrays that hold a luminaire: LuminaireType and LuminaireName (text), LuminaireColour
-/// (3) and what its type needs. Emitting surfaces are not described by field data.
+/// (3 components) and what its type needs. Throws InputError for emitting surfaces, which are not
+/// described by field data.
 void AddLuminaire(vtkFieldData* fields, const PhotonTransport::Luminaire& luminaire);
 
-/// Says in place of a description why there is none: whoever reads it refuses with these words.
+/// Adds the field array LuminaireError, which says why there is no description. ReadLuminaire
+/// refuses the data with these words.
 void AddLuminaireError(vtkFieldData* fields, const std::string& error);
 
-/// Whether the field data describe a luminaire, or say why they do not.
+/// Whether the field data hold LuminaireType or LuminaireError.
 bool HasLuminaireFields(vtkFieldData* fields);
 
-/// The luminaire that AddLuminaire has written into a data set's field data, moved as its points
-/// were (see LuminairePlace.h); or else, for a surface with a cell array "Exitance" (lm/m^2, 1
-/// component or 3), that surface as PhotonTransport::EmittingMesh. Nothing where there is neither.
-/// Throws InputError for fields or arrays that contradict themselves, and for a luminaire that lost
-/// its place.
+/// The luminaire that AddLuminaire has written into a data set's field data, moved as the points
+/// were moved since (see LuminairePlace.h). Without such fields, a surface with a cell array
+/// "Exitance" (lm/m^2, 1 component or 3) as PhotonTransport::EmittingMesh. Nothing if there is
+/// neither. Throws InputError for fields or arrays that are invalid or contradict each other, for
+/// data with both, for LuminaireError, and as MotionOf and Moved do.
 std::optional<PhotonTransport::Luminaire> ReadLuminaire(vtkPolyData* data);
 
 #endif

@@ -38,15 +38,15 @@ using namespace PhotonTransport;
 constexpr int Sides = 48; ///< Of what is round.
 constexpr glm::dvec3 UnturnedAim{ 0.0, 0.0, -1.0 };
 
-/// Without overflow at 1e200 or underflow at 1e-200.
+/// The vector at unit length, without overflow at 1e200 or underflow at 1e-200.
 glm::dvec3 Unit(const glm::dvec3& v)
 {
   const double largest = std::max({ std::fabs(v.x), std::fabs(v.y), std::fabs(v.z) });
   return glm::normalize(v / largest);
 }
 
-/// What aims along -z at the origin, turned the shortest way (about x for the opposite) to aim
-/// along `aim`, and moved.
+/// The source's output, which aims along -z at the origin, scaled, turned the shortest way (about x
+/// if opposite) so that it aims along `aim`, and moved to the position.
 vtkSmartPointer<vtkPolyData> Placed(vtkAlgorithm* source, double scale, const glm::dvec3& position,
   const glm::dvec3& aim, double rotation = 0.0)
 {
@@ -82,7 +82,7 @@ void AddAim(
   glyph->SetLines(line);
 }
 
-/// From the position on, as long as the glyph.
+/// An arrow that starts at the position.
 vtkSmartPointer<vtkPolyData> Arrow(
   const glm::dvec3& position, const glm::dvec3& direction, double length)
 {

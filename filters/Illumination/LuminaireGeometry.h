@@ -8,19 +8,21 @@
 
 class vtkPolyData;
 
-/// Stands for what has no size of its own.
+/// How lamps are drawn that have no size of their own.
 struct LuminaireGlyph
 {
-  glm::dvec3 position{ 0.0 }; ///< Of lamps without one: parallel light and skies.
+  glm::dvec3 position{ 0.0 }; ///< Where parallel light and skies are drawn.
   double size = 0.1;          ///< Data's length unit, > 0.
 };
 
-/// What to show of a lamp, in the data's length unit: panels, balls and lines as they are (those of
-/// size 0 as points, by the glyph's), panels with a line along their light; an arrow along parallel
-/// light and from a Lambertian point, a ball for a point, an open cone with its axis for a spot
-/// with its edge one glyph size away, a dome for a sky, and the polar diagram of a photometric
-/// solid with its largest intensity one glyph size long. Where the lamp depends on how it is
-/// turned, the points tell it. Finite for a lamp with finite values; nothing for emitting surfaces.
+/// What to show of a lamp, in the data's length unit. Panels, balls and lines are drawn as they
+/// are, panels with a line along their light. Panels and lines of size 0 are drawn as an arrow,
+/// balls of radius 0 as a point lamp. Parallel light and a Lambertian point are an arrow of one
+/// glyph size, a point a ball of that diameter, a spot an open cone with its axis and with its rim
+/// one glyph size from the lamp, a sky a dome of that radius. A photometric solid is its polar
+/// diagram, with the largest intensity one glyph size from the lamp. If turning a lamp changes its
+/// light, it moves the points, too. The points are finite for a lamp with finite values. Emitting
+/// surfaces give no points.
 vtkSmartPointer<vtkPolyData> LuminaireGeometry(
   const PhotonTransport::Lamp& lamp, const LuminaireGlyph& glyph);
 

@@ -17,8 +17,8 @@ struct LuminaireInput
   std::string name; ///< "luminaire 2", or "luminaire 2, block 3 'Spot'".
 };
 
-/// One for each connection, and of a composite data set one for each block that is not empty.
-/// Throws InputError for a block that is no vtkPolyData, and for a group without a luminaire.
+/// One for each connection; for a composite data set one for each block that is not empty. Throws
+/// InputError for data that are no vtkPolyData, and for a group without a luminaire.
 std::vector<LuminaireInput> LuminaireInputs(vtkInformationVector* port);
 
 #endif

@@ -29,7 +29,7 @@ constexpr const char* PointArray = "LuminairePoint";
 constexpr const char* GlyphArray = "LuminaireGlyph";
 constexpr const char* Advice =
   "; Group Datasets puts several luminaires together, and Append Geometry does not";
-/// The same facets give the same area but for the diagonals that cut bent quadrilaterals.
+/// Filters may cut bent quadrilaterals along the other diagonal, which changes their area by less.
 constexpr double MeasureTolerance = 0.01;
 
 Points PointsOf(vtkPolyData* data)
@@ -42,7 +42,7 @@ Points PointsOf(vtkPolyData* data)
   return points;
 }
 
-/// Tells luminaires apart that differ in anything; a whole number that a float holds.
+/// A number that tells luminaires apart if they differ in anything. It is whole and fits a float.
 double KeyOf(vtkPolyData* glyph, const Points& points)
 {
   std::string text;
@@ -68,7 +68,7 @@ struct Measure
   double length = 0.0;
 };
 
-/// Of the cells, as if their points were here.
+/// Area of the polygons and strips and length of the lines, with these points.
 Measure MeasureOf(vtkPolyData* data, const Points& points)
 {
   Measure measure;

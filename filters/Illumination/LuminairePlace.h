@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A luminaire's place travels with the points of its glyph: each point remembers where it was when
-// the description was true, so that filters that move points move the luminaire.
+// A luminaire's place travels with the points of its glyph. Each point has a record of where it was
+// when the description was written, so that filters that move points move the luminaire.
 #ifndef LuminairePlace_h
 #define LuminairePlace_h
 
@@ -13,12 +13,12 @@ class vtkPolyData;
 /// cells). Four components, because filters turn arrays of three as vectors.
 void RememberPlace(vtkPolyData* glyph);
 
-/// How the glyph was moved since. None for data that never remembered a place. Throws InputError
-/// for a glyph that lost its memory, parts of it, or holds another luminaire too, and for motions
-/// that no lamp can follow.
+/// How the glyph was moved since RememberPlace; no motion for data that never had these arrays.
+/// Throws InputError for a glyph that lost one of them or some of its cells, or holds points of
+/// another luminaire, and for motions that are none of FindMotion's.
 GlyphMotion MotionOf(vtkPolyData* glyph);
 
-/// Whether points remember that they belong to a luminaire.
+/// Whether the data have the point array LuminairePoint.
 bool HasLuminairePoints(vtkPolyData* data);
 
 #endif

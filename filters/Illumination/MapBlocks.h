@@ -38,7 +38,7 @@ public:
   /// "point 7 of block 2".
   std::string NameOfPoint(std::size_t point) const;
 
-  /// Gives ghost points, one value for each of all points, what their owners have.
+  /// Gives each ghost point the value of its owner. @param values One for each of Points().
   template <typename Value>
   void CopyToGhosts(std::vector<Value>& values) const
   {
@@ -50,8 +50,10 @@ public:
 
   /// Whether all blocks have a point array of the name.
   bool Have(const std::string& array) const;
-  /// One number a point. Throws InputError where a block's array is not that.
+  /// The values of a point array, one number a point. Throws InputError if a block has no such
+  /// array.
   std::vector<double> Values(const std::string& array) const;
+  /// The same for an array with one component for each group.
   std::vector<PhotonTransport::GroupValues> Groups(const std::string& array) const;
 
   /// Calls f(block, its part of `values`) for each block.

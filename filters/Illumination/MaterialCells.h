@@ -10,14 +10,15 @@
 class vtkPolyData;
 
 /// Throws InputError unless every value is finite and in its range and the shares of each channel
-/// sum to at most 1. @param where Begins the message: "cell 7 of block 2: ", or "".
+/// sum to at most 1. @param where The beginning of the message: "cell 7 of block 2: ", or "".
 void RequireValid(const PhotonTransport::Material& material, const std::string& where);
 
-/// Writes MaterialArrays: the material for the chosen cells (one flag a cell); the others keep what
-/// their arrays say, or, where there is no such array, are grey of 0.5. Arrays are replaced, never
-/// changed: they may be shared with the input. Throws InputError, with no array replaced, if an
-/// array is no material or what is kept makes none. @param block How messages name the data: " of
-/// block 2", or "".
+/// Writes the MaterialArrays. The chosen cells (one flag a cell) get the material. The other cells
+/// keep the values of their arrays; where an array is missing they get its value of a matt grey of
+/// reflectance 0.5. Arrays are replaced and never changed, since they may be shared with the input.
+/// Throws InputError, with no array replaced, if an array has the wrong size or type or if a cell
+/// that is not chosen, and no ghost, keeps invalid values. @param block How messages name the data:
+/// " of block 2", or "".
 void WriteMaterial(vtkPolyData* data, const std::string& block, const std::vector<bool>& chosen,
   const PhotonTransport::Material& material);
 

@@ -85,7 +85,7 @@ Material PresetMaterial(int preset)
       return Matt(Colour(0.50f, 0.32f, 0.20f));
     case vtkSurfaceMaterial::FABRIC: // curtains and lamp shades: E+ (medium reflect, medium trans)
       return Translucent(0.5f, 0.4f);
-    case vtkSurfaceMaterial::BLACK_PAINT: // 0.03 to 0.10, LR; nearer to its middle by ratio
+    case vtkSurfaceMaterial::BLACK_PAINT: // 0.03 to 0.10, LR; the geometric mean, rounded
       return Matt(0.05f);
     case vtkSurfaceMaterial::ALUMINIUM:
       return Aluminium();

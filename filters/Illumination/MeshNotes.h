@@ -12,8 +12,8 @@ namespace PhotonTransport
 struct SceneNotes;
 }
 
-/// What was found in the cells, points and normals and mended or left out, in words, and what a
-/// user can do about it; empty if nothing was.
+/// What was found in the cells, points and normals, and mended or left out, in words; empty if
+/// there was nothing.
 std::vector<std::string> NotesOnMesh(
   const SceneBlocks& blocks, const PhotonTransport::SceneNotes& found);
 

@@ -32,7 +32,7 @@ double Share(std::uint64_t part, std::uint64_t whole)
   return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
 }
 
-/// It starts over the whole scene, wherever that is.
+/// Whether a lamp's light starts over the whole scene: parallel light and skies.
 bool ComesFromOutside(const Luminaire& luminaire)
 {
   const PhotonTransport::Lamp& lamp = luminaire.lamp;
@@ -50,9 +50,10 @@ enum class Loss
   OutsideMissed  ///< Light from outside met nothing.
 };
 
-/// Whether fronts see nothing but the surface: of a thousand scattered photons or more, less than
-/// one in a thousand left the scene, those not counted that had come from outside, to backs.
-/// Nothing is known of a surface that scatters none.
+/// Whether the surface is closed, so that fronts see nothing but the surface: less than one in a
+/// thousand of at least a thousand scattered photons left the scene. From those that left, the
+/// photons are subtracted that missed the surface or first arrived on a back. A surface that
+/// scatters fewer photons is not taken to be closed.
 bool IsClosed(const IlluminationRun& run)
 {
   const PhotonTransport::PhotonBalance balance = run.Balance();

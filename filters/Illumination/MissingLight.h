@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light that a map does not show is told, with what it means and what to do.
+// Finds light that a map does not show, and says what that means and what to do.
 #ifndef MissingLight_h
 #define MissingLight_h
 
@@ -14,17 +14,24 @@ class vtkFieldData;
 /// What a run's user should know of light that did not arrive on fronts; see
 /// PhotonTransport::Arrivals.
 ///
-/// Lamps: a warning where more than a tenth of what met the surface fell on backs that let no light
-/// through. Light that meets nothing is often meant to, as a lamp over a table loses nine tenths: a
-/// warning only where more than 99 % of a lamp's light left the scene, or 90 % if the lamp is
-/// farther from the surface than that is across, or a tenth if the surface is closed, so that no
-/// scattered light leaves it. A note from a tenth on, for all lamps together.
+/// There is a warning for a lamp in the scene if more than 10 % of its light that met the surface
+/// fell on backs that let no light through. Light that meets nothing is often meant to: a lamp over
+/// a table may lose nine tenths. So there is a warning only if more than 99 % of a lamp's light
+/// left the scene; or 90 %, if the lamp is farther from the surface than the surface's diagonal; or
+/// 10 %, if the surface is closed. It is taken to be closed if of 1000 or more scattered photons
+/// less than 1 in 1000 left the scene.
 ///
-/// Parallel light and skies start over the whole scene, so that most of it rightly meets nothing,
-/// or the outside of a building: a warning where less than 1 in 10^4 of what met the surface fell
-/// on fronts, as on a closed room, or where nothing met it.
+/// Parallel light and skies start over the whole scene, so that most of their light rightly meets
+/// nothing or the outside of a building. There is a warning if less than 1 in 10^4 of what met the
+/// surface fell on fronts and more than half on backs, as on a closed room, or if nothing met it.
 ///
-/// Where backs are registered light on them is not missing.
+/// A warning also says that a run ended because nothing was lit (StopReason::NothingLit).
+///
+/// There is a note if more than 10 % of the light of all lamps in the scene that met the surface
+/// fell on backs, if more than 10 % of their light left the scene, if more than 10 % of the light
+/// from outside that met the surface fell on backs, and if all lamps together have no flux.
+///
+/// If backs are registered, light on them is not missing.
 struct MissingLight
 {
   std::string warning; ///< Empty where there is nothing to warn of.

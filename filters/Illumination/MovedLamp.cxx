@@ -16,7 +16,7 @@ namespace
 
 using namespace PhotonTransport;
 
-/// Without overflow at 1e200 or underflow at 1e-200.
+/// The vector at unit length, without overflow at 1e200 or underflow at 1e-200.
 glm::dvec3 Unit(const glm::dvec3& v)
 {
   const double largest = std::max({ std::fabs(v.x), std::fabs(v.y), std::fabs(v.z) });
@@ -47,7 +47,7 @@ bool IsSame(
   return true;
 }
 
-/// Whether a lamp that is mirrored left to right (x), or fore and aft (y), is as it was.
+/// Whether the mirror image of a lamp, left and right (x) or fore and aft (y), equals the lamp.
 struct MirrorSymmetry
 {
   bool x;

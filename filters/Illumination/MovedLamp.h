@@ -6,9 +6,10 @@
 
 #include "PhotonTransport/lights/Lamp.h"
 
-/// The lamp after the motion. Its place, axes and size are moved; its flux, or the illuminance of
-/// the sun or a sky, stays, and so do a photometric lamp's intensities. Throws InputError for the
-/// mirror image of a photometric lamp that is not its own.
+/// The lamp after the motion, which changes its place, axes and size. Its flux, the illuminance of
+/// the sun or a sky and the intensities of a photometric lamp stay. Throws InputError if a motion
+/// mirrors a photometric lamp whose intensities are symmetric neither left and right nor fore and
+/// aft.
 PhotonTransport::Lamp Moved(const PhotonTransport::Lamp& lamp, const GlyphMotion& motion);
 
 #endif

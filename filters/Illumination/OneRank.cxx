@@ -114,7 +114,7 @@ RankTask TaskOfThisRank(vtkDataObject* surfaces, vtkInformationVector* luminaire
   controller->AllGather(&own, all.data(), 1);
   const auto holders = all.size() - static_cast<std::size_t>(std::count(all.begin(), all.end(), 0));
   const bool first = controller->GetLocalProcessId() == 0;
-  // Luminaires alone are no scene: the rank that has them says that there are no surfaces.
+  // Luminaires alone are no scene: the rank that works reports that there are no surfaces.
   if (holders > 1 && !RanksWith(all, Surfaces).empty())
   {
     return { false, first ? SpreadMessage(all) : "" };

@@ -21,7 +21,8 @@ namespace
 
 using PhotonTransport::PhotometricSolid;
 
-/// Degrees. Between the file's angles too, so that a solid of three angles looks round.
+/// Degrees between neighbouring points. The file's angles are subdivided, so that a solid of three
+/// angles looks round.
 constexpr double LargestStep = 3.0;
 
 std::vector<double> Subdivided(const std::vector<double>& angles)
@@ -73,7 +74,7 @@ Surface::Surface(const PhotometricSolid& solid, double size)
   , IsFullTurn(solid.azimuth.back() - solid.azimuth.front() >= 360.0)
 {
   this->Points->SetDataTypeToDouble();
-  this->Points->InsertNextPoint(0.0, 0.0, 0.0); // for all that is dark
+  this->Points->InsertNextPoint(0.0, 0.0, 0.0); // stands for all dark directions
   this->Candela.push_back(0.0);
 }
 
@@ -126,7 +127,8 @@ void Surface::AddFacet(std::initializer_list<vtkIdType> corners)
   {
     loop.pop_back();
   }
-  // One that meets the origin twice is folded flat: its neighbours meet where it would be.
+  // A facet with two corners at the origin is folded flat and not needed: its neighbours meet
+  // there.
   if (loop.size() < 3 || std::set<vtkIdType>(loop.begin(), loop.end()).size() < loop.size())
   {
     return;

@@ -8,10 +8,10 @@ struct PhotometricSolid;
 }
 class vtkPolyData;
 
-/// Draws a solid as a closed surface whose facets look outwards: in every direction a point at a
-/// distance in proportion to the intensity, with point array LuminousIntensity (cd). Where the
-/// angles end, the surface goes on to the origin; all dark directions are that one point.
-/// @param size Distance of the largest intensity.
+/// Draws a solid about the origin as a closed surface whose facets look outwards. The distance of
+/// the surface from the origin is in proportion to the intensity in that direction, which the point
+/// array LuminousIntensity (cd) holds. Where the angles end the surface goes on to the origin; the
+/// point there stands for all dark directions. @param size Distance of the largest intensity, > 0.
 void DrawPhotometricSolid(
   const PhotonTransport::PhotometricSolid& solid, double size, vtkPolyData* surface);
 

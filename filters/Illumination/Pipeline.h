@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the filters share of their dealings with the pipeline.
+// What the filters have in common in how they deal with the pipeline.
 #ifndef Pipeline_h
 #define Pipeline_h
 
@@ -11,18 +11,19 @@ class vtkDataObject;
 class vtkInformation;
 class vtkInformationVector;
 
-/// The filters take surfaces, one or a composite of many. Taking composite data itself keeps the
-/// pipeline from running a filter block by block: all blocks are one scene.
+/// Makes a port take a vtkPolyData or a composite data set. Since the port takes composite data,
+/// the pipeline does not run the filter block by block: all blocks are one scene.
 void RequireSurfaces(vtkInformation* port);
 
-/// Puts a new data object of the input's type on output port 0 unless it has one.
+/// Puts a new data object of the input's type on output port 0 unless there is one of that type.
 /// @return Whether there is an input.
 bool MakeOutputLikeInput(vtkInformationVector** input, vtkInformationVector* output);
 
-/// Makes the output refer to the input's data, block by block: arrays added to it stay its own.
+/// Makes the output refer to the input's data, block by block. Arrays that are added to the output
+/// do not get into the input.
 void PassThrough(vtkDataObject* input, vtkDataObject* output);
 
-/// Passes progress on, but not more often than a person can see.
+/// Reports the progress of an algorithm, at most every 50 ms.
 class ProgressReport
 {
 public:
@@ -31,7 +32,7 @@ public:
   {
   }
 
-  /// @param fraction [0, 1]. @return False once the user wants to stop.
+  /// @param fraction [0, 1]. @return False if the user wants to stop.
   bool operator()(double fraction, const std::string& text);
 
 private:

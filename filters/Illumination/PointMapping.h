@@ -9,8 +9,8 @@
 #include <vector>
 
 /// Carries values from the scene's vertices to a block's points. A point whose normals were split
-/// has several vertices: it gets their mean by area, which keeps the flux, sum A E. A ghost point
-/// has the vertices of its owner.
+/// has several vertices and gets their mean, weighted by area, which keeps the flux, sum A E. A
+/// ghost point has the vertices of its owner.
 class PointMapping
 {
 public:
@@ -71,7 +71,7 @@ public:
     return mean;
   }
 
-  /// Standard error of Mean(), as if the vertices of a point had independent noise.
+  /// The standard error of Mean(), if the noise of a point's vertices is independent.
   std::vector<double> MeanError(const std::vector<double>& errors) const
   {
     std::vector<double> error(this->Areas.size(), 0.0);

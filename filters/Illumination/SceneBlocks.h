@@ -16,14 +16,14 @@
 class vtkDataObject;
 class vtkPolyData;
 
-/// Input that can't be used; what() is the whole message for the user.
+/// Thrown for input that can't be used; what() is the whole message for the user.
 class InputError : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// A vertex of the scene whose values a ghost point gets, too.
+/// A vertex of the scene whose values a ghost point gets as well.
 struct BorrowedVertex
 {
   std::size_t vertex; ///< Of the scene.
@@ -40,12 +40,12 @@ struct SceneBlock
   std::vector<vtkIdType> pointOfVertex; ///< A point has more than one where normals were split.
   std::vector<vtkIdType> cellOfFacet;
   bool normalsWereComputed = false;
-  LeftOut ghosts;                       ///< As SurfaceTriangles says.
-  LeftOut withoutArea;                  ///< Likewise.
-  LeftOut uncut;                        ///< Likewise.
+  LeftOut ghosts;                       ///< See SurfaceTriangles.
+  LeftOut withoutArea;                  ///< See SurfaceTriangles.
+  LeftOut uncut;                        ///< See SurfaceTriangles.
   std::vector<BorrowedVertex> borrowed; ///< Of the block's ghost points.
   std::vector<bool> borrows;            ///< Which points have a borrowed one; or empty.
-  std::size_t ownerlessGhosts = 0;      ///< Points: see GhostPoints.
+  std::size_t ownerlessGhosts = 0;      ///< GhostPoints::ownerless.
   vtkIdType firstOwnerlessGhost = -1;
 };
 
@@ -53,8 +53,8 @@ struct SceneBlock
 struct SurfaceDescription
 {
   PhotonTransport::Material material; ///< Where no array says otherwise.
-  std::string reflectanceArray;       ///< Empty: the array of the usual name, if there is one.
-  bool materialArrays = true;         ///< Whether arrays of MaterialArrays' names count.
+  std::string reflectanceArray;       ///< Empty: DiffuseReflectance, where materialArrays.
+  bool materialArrays = true;         ///< Whether arrays with the names of MaterialArrays count.
   std::string exitanceArray;          ///< Empty: nothing emits.
   double metresPerUnit = 1.0;
   double featureAngle = 30.0; ///< Degrees.
@@ -68,7 +68,7 @@ public:
   SceneBlocks(vtkDataObject* data, const SurfaceDescription& description);
 
   const PhotonTransport::Surface& Surface() const { return this->All; }
-  /// All with polygons or strips; those without a triangle in the scene come last.
+  /// All blocks with polygons or strips; those without a triangle in the scene come last.
   const std::vector<SceneBlock>& Blocks() const { return this->Parts; }
   std::size_t BlocksNotPolygonal() const { return this->OtherBlocks; }
 
@@ -86,7 +86,7 @@ private:
 
   PhotonTransport::Surface All;
   std::vector<SceneBlock> Parts;
-  std::vector<SceneBlock> Unlit; ///< Until all others are known.
+  std::vector<SceneBlock> Unlit; ///< Blocks without a triangle, until they are put last.
   std::size_t OtherBlocks = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the user should know of facets that the scene can't tell apart.
+// What the user should know of facets that are too close together or too small for the scene.
 #ifndef SceneWarnings_h
 #define SceneWarnings_h
 
@@ -13,12 +13,12 @@ namespace PhotonTransport
 class Scene;
 }
 
-/// Facets in one place that face the same way: what was made of them. Empty if there are none.
+/// How facets that face the same way in one place were treated. Empty if there are none.
 std::vector<std::string> NotesOnSharedPlaces(
   const SceneBlocks& blocks, const PhotonTransport::Scene& scene);
 
-/// What makes the map wrong in some places, each with what to do: facets in one place of which only
-/// one can be right, and gaps or facets too small for the scene's coordinates.
+/// What makes the map wrong in some places, and what to do about each: facets in one place that
+/// have other materials or both shine, and gaps or facets too small for the scene's coordinates.
 std::vector<std::string> WarningsOn(const SceneBlocks& blocks, const PhotonTransport::Scene& scene);
 
 #endif

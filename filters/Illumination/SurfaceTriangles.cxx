@@ -59,7 +59,8 @@ double RoundingOf(vtkPolyData* data)
     : PhotonTransport::DoubleRounding;
 }
 
-/// Whether all corners lie on a line: on that from the first to the one farthest from it.
+/// Whether all corners lie on one line, the one from the first corner to the corner farthest from
+/// it.
 bool IsOnALine(vtkPolyData* data, const std::vector<vtkIdType>& corners, double rounding)
 {
   const glm::dvec3 first = PointOf(data, corners.front());
@@ -75,7 +76,7 @@ bool IsOnALine(vtkPolyData* data, const std::vector<vtkIdType>& corners, double 
     { return PhotonTransport::HasArea(first, farthest, PointOf(data, p), rounding); });
 }
 
-/// Copies the cells that are part of the scene and says which cell of the input each comes from.
+/// Copies the cells that are part of the scene, each with the cell of the input that it comes from.
 class SurfaceCells
 {
 public:
@@ -131,7 +132,8 @@ public:
   vtkNew<vtkIdTypeArray> Ids;
 
 private:
-  /// Without corners in the place of the one before them, for which VTK cuts the wrong triangles.
+  /// Adds a polygon without the corners that lie in the place of the corner before them: with these
+  /// VTK would cut the wrong triangles.
   void AddPolygon(vtkIdType size, const vtkIdType* ids, vtkIdType cell, LeftOut& withoutArea)
   {
     this->Corners.assign(ids, ids + size);

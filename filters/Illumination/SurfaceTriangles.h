@@ -14,7 +14,7 @@
 class vtkDataArray;
 class vtkPolyData;
 
-/// Cells, or parts of cells, that are no part of the scene.
+/// Cells, or triangles of cells, that are not part of the scene.
 struct LeftOut
 {
   std::size_t number = 0;
@@ -33,8 +33,8 @@ struct SurfaceTriangles
   /// rest, whose edges and directions would spoil what they compute.
   vtkSmartPointer<vtkPolyData> mesh;
   LeftOut ghosts;      ///< Cells; see GhostCells.
-  LeftOut withoutArea; ///< Triangles whose corners lie on a line; see PhotonTransport::HasArea.
-  LeftOut uncut;       ///< Polygons that cross or touch themselves and miss triangles.
+  LeftOut withoutArea; ///< Triangles and polygons on a line; see PhotonTransport::HasArea.
+  LeftOut uncut;       ///< Polygons that cross or touch themselves and so lack triangles.
 };
 
 /// Throws InputError for cells that are not valid (RequireValidCells) and for a corner that is not
@@ -42,11 +42,11 @@ struct SurfaceTriangles
 /// " of block 2", or "".
 SurfaceTriangles TrianglesOf(vtkPolyData* data, vtkDataArray* normals, const std::string& block);
 
-/// Whether there is any cell that TrianglesOf looks at.
+/// Whether there is a polygon or a strip.
 bool HasSurface(vtkPolyData* data);
 
-/// For each triangle the cell it comes from, for each point the one of the input; they survive
-/// filters that split points.
+/// For each triangle the cell, and for each point the point, of the input that it comes from. Both
+/// still hold after filters that split points.
 std::vector<vtkIdType> CellsOfTriangles(vtkPolyData* triangles);
 std::vector<vtkIdType> PointsOfTriangles(vtkPolyData* triangles);
 

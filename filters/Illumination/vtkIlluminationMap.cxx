@@ -134,7 +134,7 @@ void vtkIlluminationMap::SetPhotonsAsDouble(double photons)
   }
 }
 
-/// Everything that the map depends on but for the number of photons.
+/// Everything that the map depends on except the number of photons.
 std::string vtkIlluminationMap::WhatShapesTheMap(vtkDataObject* input, const Luminaires& luminaires)
 {
   std::ostringstream shape;
@@ -166,7 +166,8 @@ int vtkIlluminationMap::FillInputPortInformation(int port, vtkInformation* info)
     RequireSurfaces(info);
     return 1;
   }
-  // Anything: groups as a whole, and what is no luminaire gets an error that names it.
+  // Any data: a group arrives as a whole, and data that are no luminaire get an error that names
+  // them.
   info->Set(INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   info->Set(INPUT_IS_OPTIONAL(), 1);
   info->Set(INPUT_IS_REPEATABLE(), 1);
@@ -222,8 +223,8 @@ int vtkIlluminationMap::RequestData(
     }
     return 1;
   }
-  // An error leaves the input passed through and the pipeline usable: it is said once, here, and
-  // not again by the executive, which a return value of 0 would bring about.
+  // After an error the input is passed through and the pipeline stays usable. The error is reported
+  // here; with a return value of 0 the executive would report a second one.
   try
   {
     this->Trace(in, LuminaireInputs(input[1]), out, vtkTable::GetData(output, 1));
@@ -231,7 +232,7 @@ int vtkIlluminationMap::RequestData(
   catch (const std::bad_alloc&)
   {
     this->Kept.reset();
-    PassThrough(in, out); // without what was already there of the map
+    PassThrough(in, out); // without the arrays of the map that were already added
     vtkErrorMacro("out of memory for an input of " << out->GetActualMemorySize() << " KiB");
   }
   catch (const std::exception& error)

@@ -4,10 +4,10 @@
  * @brief   illuminance at every point of a triangulated surface, by photon tracing
  *
  * Traces photons from lamps through the scene that the input describes and gives each point the
- * light that arrives there, directly and after any number of reflections. Hits are
- * registered on the vertices of the facet they land on and, in two of the three registrations,
- * compensated for the difference between the flat facet and the curved surface that the point
- * normals describe (B. Barladian, "Indirect illumination on curve surfaces").
+ * light that arrives there, directly and after any number of reflections. Hits are registered on
+ * the vertices of the facet they land on. Two of the three registrations compensate for the
+ * difference between the flat facet and the curved surface that the point normals describe (B.
+ * Barladian, "Indirect illumination on curve surfaces").
  *
  * The input is a vtkPolyData, or a composite data set whose vtkPolyData blocks form one scene
  * together. Polygons and strips count as the triangles they are made of; vertices and lines stay
@@ -18,32 +18,47 @@
  *
  * The output is the input, untouched, with these point arrays (double):
  *  - Illuminance (lx = lm/m^2): what arrives on the front; IlluminanceDirect + IlluminanceIndirect.
- *  - IlluminanceDirect, IlluminanceIndirect (lx): straight from the lamps, thin panes in between
- *    not counted, and all the rest.
- *  - StandardError (lx), RelativeError (StandardError / Illuminance; 1 where no light came, 0 at a
- *    point without a triangle): the noise of Illuminance, from eight independent replicates, or
- * with less than 30 hits from their number if that is more. Facet size is not in it.
- *  - IlluminanceRGB (lx, 3 components): by colour, where the scene has any; for white light the
- *    three are equal, and 0.2126 R + 0.7152 G + 0.0722 B is Illuminance.
- *  - Illuminance_<name> (lx): from one luminaire, with LampContributions. Luminaires without a
- * name, or with one that is taken, get one: "Lamp 2", "Spot (2)".
+ *  - IlluminanceDirect (lx): light straight from the lamps or through thin panes.
+ *  - IlluminanceIndirect (lx): all other light.
+ *  - StandardError (lx): the noise of Illuminance, from eight independent replicates; where fewer
+ *    than 30 photons have hit, at least what their number says. The size of facets is not in it.
+ *  - RelativeError: StandardError / Illuminance; 1 where no light came, 0 at a point without a
+ *    triangle.
+ *  - IlluminanceRGB (lx, 3 components): by colour, if the scene has any. White light has three
+ *    equal components, and 0.2126 R + 0.7152 G + 0.0722 B is Illuminance.
+ *  - Illuminance_<name> (lx): from one luminaire, with LampContributions. A luminaire without a
+ *    name, or whose name is taken, gets one, such as "Lamp 2" or "Spot (2)".
  *  - IlluminanceBack, StandardErrorBack (lx): what arrives on the back, with RegisterBackSide.
  *  - PhotonHits (vtkIdType): photons that hit the front of a facet around the point.
- * and these field data arrays: PhotonsEmitted = PhotonsAbsorbed + PhotonsEscaped + PhotonsCutOff,
- * EmittedFlux (lm), FluxOnFronts, FluxOnBacks and FluxEscaped (lm: where it first arrived, backs
- * that let light through not counted, or left the scene before), FluxCutByWeightBound (lm),
- * FluxSwitchedOff (lm), Seconds, PhotonsPerSecond, SegmentsPerSecond, MemoryNeeded (bytes, at
- * most), StoppedBy, Effects (which are on or off, and why), Notes (what was found and mended in the
- * input, what light is missing, what was assumed of photometric files), IlluminationMapsVersion. A
- * vtkWarning says what to do where most light fell on backs or met nothing.
+ *  - IlluminanceDirectGroups, IlluminanceIndirectGroups (lx, 4 components): with GroupMeans.
  *
- * Give watts for lumens and the result is irradiance in W/m^2.
+ * It has these field data arrays:
+ *  - PhotonsEmitted = PhotonsAbsorbed + PhotonsEscaped + PhotonsCutOff.
+ *  - EmittedFlux (lm), of which FluxOnFronts and FluxOnBacks (lm) first arrived on a front or on a
+ *    back that lets no light through, and FluxEscaped (lm) left the scene before.
+ *  - FluxCutByWeightBound, FluxSwitchedOff (lm).
+ *  - Seconds, PhotonsPerSecond, SegmentsPerSecond; MemoryNeeded (bytes, at most).
+ *  - PredictedPhotons, PredictedSeconds: what the run takes to reach a TargetRelativeError.
+ *  - StoppedBy, Effects (which are on or off, and why), IlluminationMapsVersion (text).
+ *  - Notes (text): what was found in the input and mended or left out, what light is missing, and
+ *    what was assumed of photometric files.
  *
- * The result is a function of the input and the properties alone: it has the same bits for any
- * NumberOfThreads. Where only Photons, TargetRelativeError or TimeLimit change and
- * ask for no fewer photons than there are, the run goes on from what it has; its result has the
- * bits of a run in one go. Bad input gives one error that names the array, the cell or point and
- * the value, and the input passes through without the arrays.
+ * A warning says what to do if much of a lamp's light fell on backs or met nothing, or if facets
+ * are too close together or too small to be told apart.
+ *
+ * The second output is a vtkTable with a row for each round of the run: Photons, Seconds,
+ * RelativeError (as TargetRelativeError means it), MedianRelativeError and
+ * Percentile95RelativeError (over the points that light reached), SegmentsPerSecond,
+ * PredictedPhotons, PredictedSeconds.
+ *
+ * If fluxes are given in watts instead of lumens, the result is irradiance in W/m^2.
+ *
+ * The result is a function of the input and the properties alone, but for TimeLimit and an abort.
+ * It has the same bits for any NumberOfThreads. If only Photons, TargetRelativeError, TimeLimit,
+ * MemoryLimit or GroupMeans change, and Photons is no less than what has been traced, the run goes
+ * on from what it has; its result has the bits of a run to as many photons in one go. Bad input
+ * gives one error that names the array, the cell or point and the value, and the input passes
+ * through without the arrays.
  */
 
 #ifndef vtkIlluminationMap_h
@@ -68,7 +83,8 @@ public:
 
   using Superclass::Update;
   /**
-   * As ever, but an observer of the progress may delete the filter: it lives until this returns.
+   * As in the superclass. An observer of the progress may delete the filter: it lives until this
+   * returns.
    */
   void Update(int port) override;
 
@@ -85,9 +101,9 @@ public:
 
   enum Registrations
   {
-    FLAT = 0,             ///< Formula (1) of the paper: facets as they are.
-    FACET_RATIO = 1,      ///< Formulas (2) and (3): compensated at the hit.
-    VERTEX_NORMALISED = 2 ///< Compensated at the vertex: no bias from facets, bounded weight.
+    FLAT = 0,             ///< Formula (1) of Barladian: the facets are the surface.
+    FACET_RATIO = 1,      ///< Formulas (2) and (3) of Barladian: compensated at the hit.
+    VERTEX_NORMALISED = 2 ///< Compensated at the vertex: no bias from facets.
   };
 
   enum Samplings
@@ -114,8 +130,9 @@ public:
 
   ///@{
   /**
-   * The way the light travels: of parallel light, or the axis of a lamp that has one. Any length
-   * but zero. Default: (0, 0, -1).
+   * The direction in which the light travels: that of parallel light, the axis of a Lambertian
+   * point or a spot, the side to which a panel shines. Finite, any length but zero. Default: (0, 0,
+   * -1).
    */
   vtkSetVector3Macro(LampDirection, double);
   vtkGetVector3Macro(LampDirection, double);
@@ -123,9 +140,11 @@ public:
 
   ///@{
   /**
-   * Width and height of a rectangle, or the radius of a disk first, in the data's length unit; 0
-   * or more. With 0 all light comes from one point, or from a line. The width runs along z x
-   * LampDirection (along x for a lamp that shines straight up or down). Default: (1, 1).
+   * Width and height of a rectangle, or the radius of a disk (the second number is not used then),
+   * in the data's length unit, >= 0. From a disk of radius 0 and from a rectangle without width and
+   * height all light comes from one point, from a rectangle without one of them from a line. The
+   * width runs along z x LampDirection (along x for a lamp that shines straight up or down).
+   * Default: (1, 1).
    */
   vtkSetVector2Macro(LampSize, double);
   vtkGetVector2Macro(LampSize, double);
@@ -150,7 +169,8 @@ public:
 
   ///@{
   /**
-   * Luminous flux of the lamp, lm, >= 0. Not for parallel light and emitting facets. Default: 1000.
+   * Luminous flux of the lamp, lm, >= 0. Parallel light and emitting facets do not use it. Default:
+   * 1000.
    */
   vtkSetMacro(LuminousFlux, double);
   vtkGetMacro(LuminousFlux, double);
@@ -166,7 +186,7 @@ public:
 
   ///@{
   /**
-   * Diffuse reflectance of all cells, both sides, [0, 1], where no array says otherwise.
+   * Diffuse reflectance, on both sides, of cells without an array of diffuse reflectances, [0, 1].
    * Default: 0.5.
    */
   vtkSetMacro(Reflectance, double);
@@ -175,8 +195,9 @@ public:
 
   ///@{
   /**
-   * Name of a cell array of diffuse reflectances in [0, 1], 1 or 3 components (3 are a colour). It
-   * takes precedence over an array DiffuseReflectance. Default: none (empty, or "None").
+   * Name of a cell array of diffuse reflectances in [0, 1], 1 or 3 components (3 are a colour),
+   * which every lit block must have. It takes precedence over an array DiffuseReflectance. Empty or
+   * "None": no such array. Default: empty.
    */
   vtkSetStdStringFromCharMacro(ReflectanceArray);
   vtkGetCharFromStdStringMacro(ReflectanceArray);
@@ -184,9 +205,10 @@ public:
 
   ///@{
   /**
-   * Shares of the light that cells without arrays of their own treat in other ways than diffuse
-   * reflection, each in [0, 1] and with Reflectance at most 1 together; see vtkSurfaceMaterial for
-   * what they mean, which writes them onto cells. Default: 0.
+   * Shares of the light that cells without the array of that name reflect as a mirror, reflect
+   * about the mirror direction, let through diffusely and let through clearly. Each is in [0, 1],
+   * and together with Reflectance they are at most 1. vtkSurfaceMaterial, which writes such arrays,
+   * says more of them. Default: 0.
    */
   vtkSetMacro(SpecularReflectance, double);
   vtkGetMacro(SpecularReflectance, double);
@@ -200,7 +222,7 @@ public:
 
   ///@{
   /**
-   * Of the glossy share, (0, 1]. Default: 0.3.
+   * Roughness of glossy reflection by cells without the array of that name, (0, 1]. Default: 0.3.
    */
   vtkSetMacro(Roughness, double);
   vtkGetMacro(Roughness, double);
@@ -208,7 +230,7 @@ public:
 
   ///@{
   /**
-   * Of the clear share, [1, 4]. Default: 1.5.
+   * Refractive index of clear cells without the array of that name, [1, 4]. Default: 1.5.
    */
   vtkSetMacro(RefractiveIndex, double);
   vtkGetMacro(RefractiveIndex, double);
@@ -216,8 +238,8 @@ public:
 
   ///@{
   /**
-   * Whether clear cells are the surface of a solid body, which bends light, in place of thin panes.
-   * Default: off.
+   * Whether clear cells without the array of that name are the surface of a solid body, which bends
+   * light. Otherwise they are thin panes. Default: off.
    */
   vtkSetMacro(SolidBody, bool);
   vtkGetMacro(SolidBody, bool);
@@ -228,7 +250,7 @@ public:
   /**
    * Whether the cell arrays that vtkSurfaceMaterial writes (DiffuseReflectance,
    * SpecularReflectance, GlossyReflectance, Roughness, DiffuseTransmittance, ClearTransmittance,
-   * RefractiveIndex, SolidBody) count where a block has them. Default: on.
+   * RefractiveIndex, SolidBody) are used in blocks that have them. Default: on.
    */
   vtkSetMacro(UseMaterialArrays, bool);
   vtkGetMacro(UseMaterialArrays, bool);
@@ -237,8 +259,8 @@ public:
 
   ///@{
   /**
-   * Name of a cell array of luminous exitances, lm/m^2, >= 0, 1 or 3 components (3 are a colour),
-   * for EMITTING_FACETS: the cells' fronts shine diffusely. Default: none (empty, or "None").
+   * Name of the cell array of luminous exitances, lm/m^2, >= 0, 1 or 3 components (3 are a colour),
+   * for EMITTING_FACETS, which need one: the cells' fronts shine diffusely. Default: empty.
    */
   vtkSetStdStringFromCharMacro(ExitanceArray);
   vtkGetCharFromStdStringMacro(ExitanceArray);
@@ -254,9 +276,10 @@ public:
 
   ///@{
   /**
-   * The photons to stop at, 1 to 1e10, rounded up to a multiple of 2048. Four times as many halve
-   * the noise. Default: 1000000. The form for doubles is ParaView's, whose properties of whole
-   * numbers end at 2^31; what is no whole number within the range is refused when the filter runs.
+   * The number of photons to stop at, a whole number from 1 to 1e10, rounded up to a multiple of
+   * 2048. Four times as many halve the noise of random numbers. Other numbers are refused when the
+   * filter runs. ParaView sets it as a double, since its properties of whole numbers end at 2^31.
+   * Default: 1000000.
    */
   void SetPhotons(vtkIdType photons);
   vtkGetMacro(Photons, vtkIdType);
@@ -266,9 +289,10 @@ public:
 
   ///@{
   /**
-   * The relative error to stop at, unless Photons or TimeLimit are reached before: area-weighted
-   * RMS of StandardError over the mean Illuminance; 0.02 is 2 %, 0 is no target. Where none of
-   * 2^20 photons registers no target can be met, and the run ends. Default: 0.
+   * The relative error to stop at, unless Photons or TimeLimit are reached before: the
+   * area-weighted RMS of StandardError over the area-weighted mean of Illuminance; >= 0. 0 is no
+   * target, 0.02 is 2 %. If none of 2^20 photons registers on a front, no target can be met, and
+   * the run ends. Default: 0.
    */
   vtkSetMacro(TargetRelativeError, double);
   vtkGetMacro(TargetRelativeError, double);
@@ -276,7 +300,8 @@ public:
 
   ///@{
   /**
-   * Seconds of tracing to stop at, >= 0; 0 is no limit. Default: 0.
+   * Seconds of tracing to stop at, >= 0, counted from the start of the run, also where it goes on;
+   * 0 is no limit. Default: 0.
    */
   vtkSetMacro(TimeLimit, double);
   vtkGetMacro(TimeLimit, double);
@@ -292,7 +317,8 @@ public:
 
   ///@{
   /**
-   * SOBOL spreads the photons of a lamp evenly (Owen-scrambled), RANDOM does not. Default: SOBOL.
+   * What photons are drawn from. SOBOL: Owen-scrambled Sobol points, which spread the photons of a
+   * lamp and their first reflection evenly. RANDOM: independent numbers. Default: SOBOL.
    */
   vtkSetClampMacro(Sampling, int, RANDOM, SOBOL);
   vtkGetMacro(Sampling, int);
@@ -300,9 +326,9 @@ public:
 
   ///@{
   /**
-   * Whether light is reflected diffusely. Each of these effects is simulated only where the scene
-   * calls for it (the field array Effects says why or why not) and can be switched off: photons
-   * that would have taken that way then end, and are counted in PhotonsCutOff and
+   * Whether diffuse reflection is simulated. This effect and the ones below are simulated only if
+   * the scene calls for them; the field array Effects says why or why not. If an effect is switched
+   * off, photons that would have taken that way end, and are counted in PhotonsCutOff and
    * FluxSwitchedOff. Default: on.
    */
   vtkSetMacro(Interreflection, bool);
@@ -312,8 +338,10 @@ public:
 
   ///@{
   /**
-   * As by a mirror; in a lobe about that direction; diffusely to the other side; through thin
-   * panes, or off them; at the surface of solid bodies. As Interreflection. Default: on.
+   * Whether these effects are simulated, as Interreflection. SpecularReflection: as by a mirror.
+   * GlossyReflection: in a lobe about the mirror direction. DiffuseTransmission: diffusely to the
+   * other side. ClearTransmission: through thin panes, and reflection by them. Refraction: at the
+   * surface of solid bodies, and reflection there. Default: on.
    */
   vtkSetMacro(SpecularReflection, bool);
   vtkGetMacro(SpecularReflection, bool);
@@ -334,8 +362,8 @@ public:
 
   ///@{
   /**
-   * Whether photons carry one of three channels each, if any material or lamp has a colour. Off,
-   * or in a scene without colours, there is one channel, the luminous one. Default: on.
+   * Whether each photon carries one of three channels if a material or a lamp has a colour. If this
+   * is off, or if nothing has a colour, there is one channel, the luminous one. Default: on.
    */
   vtkSetMacro(Colour, bool);
   vtkGetMacro(Colour, bool);
@@ -345,7 +373,8 @@ public:
   ///@{
   /**
    * Whether each luminaire's part is kept, as Illuminance_<name>, so that lamps can be dimmed
-   * without tracing again. Costs 8 bytes a point and lamp, for each thread once more. Default: off.
+   * without tracing again. This takes 16 bytes for each point and lamp, and 8 more for each thread.
+   * Default: off.
    */
   vtkSetMacro(LampContributions, bool);
   vtkGetMacro(LampContributions, bool);
@@ -354,10 +383,10 @@ public:
 
   ///@{
   /**
-   * The second, optional, repeatable input: luminaires, from vtkLuminaireSource or
-   * vtkPhotometricReader, or surfaces that shine by a cell array "Exitance" (lm/m^2) but are no
-   * part of the scene; or composite data sets, of which every block that is not empty is one of
-   * these. Luminaires go where filters move their points. With any of them the filter's own lamp is
+   * The second, optional, repeatable input. It takes luminaires from vtkLuminaireSource or
+   * vtkPhotometricReader, surfaces that shine by a cell array "Exitance" (lm/m^2) and are not part
+   * of the scene, and composite data sets, of which every block that is not empty is one of these.
+   * Luminaires go where filters move their points. If any is connected, the filter's own lamp is
    * off.
    */
   void AddLuminaireConnection(vtkAlgorithmOutput* luminaire);
@@ -366,7 +395,8 @@ public:
 
   ///@{
   /**
-   * Whether light on the backs of facets is registered too, as IlluminanceBack. Default: off.
+   * Whether light on the backs of facets is registered as well, as IlluminanceBack. No warning then
+   * says that light fell on backs. Default: off.
    */
   vtkSetMacro(RegisterBackSide, bool);
   vtkGetMacro(RegisterBackSide, bool);
@@ -375,9 +405,10 @@ public:
 
   ///@{
   /**
-   * Whether vtkIlluminationMapSmoothing gets what it works best with: the maps as means over each
-   * of four groups of photons, IlluminanceDirectGroups and IlluminanceIndirectGroups (lx, 4
-   * components). Costs no tracing, but 64 bytes a point. Default: off.
+   * Whether the output has the arrays with which vtkIlluminationMapSmoothing works best: the maps
+   * as means over each of four groups of photons, IlluminanceDirectGroups and
+   * IlluminanceIndirectGroups (lx, 4 components). They take no more tracing, and 64 bytes a point.
+   * Default: off.
    */
   vtkSetMacro(GroupMeans, bool);
   vtkGetMacro(GroupMeans, bool);
@@ -386,7 +417,7 @@ public:
 
   ///@{
   /**
-   * Metres that the data's length unit is long, > 0: 0.001 for a model in millimetres. Default: 1.
+   * Length of the data's length unit in metres, > 0: 0.001 for a model in millimetres. Default: 1.
    */
   vtkSetMacro(MetresPerUnit, double);
   vtkGetMacro(MetresPerUnit, double);
@@ -394,9 +425,9 @@ public:
 
   ///@{
   /**
-   * Edges sharper than this stay sharp where normals are computed, degrees, [0, 180]. Only used on
-   * input without point normals. A point on a sharp edge then gets the mean of its sides, by area.
-   * Default: 30.
+   * Angle between facets, degrees, [0, 180], above which their edge stays sharp where normals are
+   * computed. It is used only for blocks without point normals. A point on a sharp edge gets the
+   * mean of its sides' illuminances, weighted by area. Default: 30.
    */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
@@ -413,9 +444,10 @@ public:
 
   ///@{
   /**
-   * Largest factor by which compensation may raise a hit, [1, 1048576]. Ordinary surfaces stay
-   * below 2 with VERTEX_NORMALISED; FACET_RATIO has no bound of its own. What is cut off is
-   * reported in FluxCutByWeightBound. Default: 16.
+   * Largest factor by which compensation may raise a hit, [1, 1048576]. With VERTEX_NORMALISED the
+   * factor is below 2 where a point normal is the area-weighted mean of the facets around the point
+   * and none of them tilts by 60 degrees or more from it. With FACET_RATIO it may be any number.
+   * FluxCutByWeightBound tells what was cut off. Default: 16.
    */
   vtkSetMacro(WeightBound, double);
   vtkGetMacro(WeightBound, double);
@@ -423,8 +455,8 @@ public:
 
   ///@{
   /**
-   * Photons that are still on their way after this many segments end there and are counted in
-   * PhotonsCutOff; >= 1. Default: 10000, which no scene that absorbs 1 % ever reaches.
+   * Number of segments after which a photon ends and is counted in PhotonsCutOff; >= 1. Default:
+   * 10000, which no photon reaches if each surface absorbs 1 % or more.
    */
   vtkSetMacro(MaximumPathLength, int);
   vtkGetMacro(MaximumPathLength, int);
@@ -434,8 +466,9 @@ public:
   /**
    * GiB of memory that the input's triangles, the run and its results may take together, >= 0; 0 is
    * what the machine has available (on Linux; no limit on other systems). What they need at most is
-   * worked out once the input is cut into triangles, about a tenth of it, and before the rest is
-   * taken; it is told in MemoryNeeded, and refused if it is more. Default: 0.
+   * worked out when the input has been cut into triangles, which take about a tenth of it. A run
+   * that needs more is refused before the rest is allocated. MemoryNeeded tells the need. A run
+   * that goes on from what it has is not checked again. Default: 0.
    */
   vtkSetMacro(MemoryLimit, double);
   vtkGetMacro(MemoryLimit, double);

@@ -5,26 +5,28 @@
  *
  * The filtration of B. Barladian, "Indirect illumination on curve surfaces". By default each point
  * gets a smoothing width of its own: the one with the least expected error, noise and blur
- * together, which the differences between independent estimates of the map tell. Light spreads
- * along the surface as heat would, never across creases, rims, non-manifold edges or into regions
- * that light certainly does not reach. The flux (sum of illuminance times area) of every smooth
- * patch is conserved, and no value falls below 0.
+ * together. That error is estimated from the differences between independent estimates of the map.
+ * Light spreads along the surface as heat would, but never across creases, rims and non-manifold
+ * edges, nor into regions that light certainly does not reach. The flux (sum of illuminance times
+ * area) of every smooth patch is conserved, and no value falls below 0.
  *
  * The input is the output of vtkIlluminationMap, one vtkPolyData or a composite data set. With
- * GroupMeans on there, direct and indirect light are smoothed each by its own noise, which is
- * best. Without, the whole map is smoothed with noise that is like its StandardError; without that
- * too, noise is guessed from the map's roughness, which takes fine detail for noise. The field
- * array SmoothingNotes says which it was.
+ * GroupMeans on there, direct and indirect light are smoothed each by its own noise, which is best:
+ * what is read then is IlluminanceDirect, IlluminanceIndirect and their Groups arrays. Without
+ * group means the whole map is smoothed, by its StandardError; without that array, by its
+ * roughness, which takes fine detail for noise. The field array SmoothingNotes says which it was.
+ * Of the map Illuminance, the point array PhotonHits tells which regions are certainly dark.
  *
  * Facets without area and ghost cells are not part of the surface, as in vtkIlluminationMap, and
  * duplicate points get the values of their owners.
  *
- * The output is the input, untouched, with these point arrays, after the name of IlluminanceArray:
- *  - IlluminanceSmoothed (lx); IlluminanceDirectSmoothed and IlluminanceIndirectSmoothed (lx),
- *    which add up to it, where the parts were smoothed.
+ * The output is the input, untouched, with these point arrays:
+ *  - IlluminanceSmoothed (lx), and with group means IlluminanceDirectSmoothed and
+ *    IlluminanceIndirectSmoothed (lx), which add up to it. For another IlluminanceArray the names
+ *    begin with its name.
  *  - StandardErrorSmoothed (lx): expected error of IlluminanceSmoothed, remaining noise and blur.
  *  - SmoothingScale: standard deviation of the kernel at the point, in distances between points; 0
- *    where the map is as it was. Two components, direct and indirect, where both were smoothed.
+ *    where the map is as it was. With group means it has two components, direct and indirect.
  *
  * The result has the same bits for any NumberOfThreads. Bad input gives one error that names the
  * array, the point and the value, and the input passes through without the arrays.
@@ -48,8 +50,8 @@ public:
   enum Methods
   {
     NONE = 0,      ///< The map as it is.
-    DIFFUSION = 1, ///< One width everywhere, shadows or not; to compare with.
-    ADAPTIVE = 2   ///< Each point the width that suits its noise.
+    DIFFUSION = 1, ///< One width everywhere, which blurs shadows; to compare with.
+    ADAPTIVE = 2   ///< A width for each point, as its noise asks for.
   };
 
   ///@{
@@ -62,7 +64,9 @@ public:
 
   ///@{
   /**
-   * Name of the point array to smooth: one component, lx, >= 0. Default: Illuminance.
+   * Name of the point array to smooth: one component, lx, finite, >= 0. With group means the arrays
+   * are read whose names are this one with Direct, Indirect, DirectGroups and IndirectGroups added.
+   * Default: Illuminance.
    */
   vtkSetStdStringFromCharMacro(IlluminanceArray);
   vtkGetCharFromStdStringMacro(IlluminanceArray);
@@ -70,9 +74,9 @@ public:
 
   ///@{
   /**
-   * Name of the point array with its standard error, lx, >= 0, for input without group means; an
-   * input without that array is smoothed by its roughness, as with no name (empty, or "None").
-   * Default: StandardError.
+   * Name of the point array with the standard error of the map, lx, >= 0, for input without group
+   * means. If the input has no such array, or this is empty or "None", the map is smoothed by its
+   * roughness. Default: StandardError.
    */
   vtkSetStdStringFromCharMacro(StandardErrorArray);
   vtkGetCharFromStdStringMacro(StandardErrorArray);
@@ -81,7 +85,7 @@ public:
   ///@{
   /**
    * How much noise counts against blur for ADAPTIVE, [0, 10]: 1 is the estimated optimum, 0 keeps
-   * the map, more smooths more. Default: 1.
+   * the map, and a larger number smooths more. Default: 1.
    */
   vtkSetMacro(Strength, double);
   vtkGetMacro(Strength, double);

@@ -4,8 +4,8 @@
  * @brief   a lamp, the sun or a sky to light a scene with
  *
  * The output shows the lamp, in the data's length unit, and carries its description as field data,
- * for filters that light scenes: LuminaireType and LuminaireName (text), LuminaireColour, and as
- * far as the type has them LuminairePosition, LuminaireDirection, LuminaireSize, LuminousFlux (lm),
+ * for filters that light scenes: LuminaireType and LuminaireName (text), LuminaireColour, and,
+ * where the type has them, LuminairePosition, LuminaireDirection, LuminaireSize, LuminousFlux (lm),
  * LuminaireIlluminance (lx), SpotHalfAngle (degrees), SpotExponent, SkyUp, SkyType, SkyLuminance
  * (cd/m^2), SkyIsWholeSphere, SunDirection (from the ground to the sun), LuminaireRotation
  * (degrees), and the photometric solid: PhotometricType (C, B or A), PhotometricPolar and
@@ -17,18 +17,20 @@
  * The lamp's place, axes and size travel with the output's points. The point array LuminairePoint
  * (where each point was made, and a number that tells the lamp from others) and the field array
  * LuminaireGlyph (that number, area and length of what is drawn) say how filters have moved them.
- * The lamp may be turned, moved, scaled evenly, and mirrored unless its intensities differ left and
- * right. An even scale changes the size of panels, balls and lines, and it changes no flux, no
- * illuminance of the sun or a sky, and no intensity. vtkIlluminationMap refuses what was scaled
- * unevenly, sheared, bent or rounded by more than 0.1 % of what is drawn, lost these arrays, was
- * cut, or was appended to another lamp: a composite data set holds several.
+ * The lamp may be turned, moved, scaled evenly, and mirrored, unless it is a photometric file whose
+ * intensities are symmetric neither left and right nor fore and aft. An even scale changes the size
+ * of panels, balls and lines. It changes no flux, no illuminance of the sun or a sky, and no
+ * intensity. vtkIlluminationMap refuses a lamp that was scaled unevenly, sheared, bent or rounded
+ * by more than 0.1 % of its extent, lost these arrays, was cut, or was appended to another lamp. A
+ * composite data set may hold several lamps.
  *
- * Panels, balls and lines are shown as they are, by their own size, and panels with a line to the
- * side to which they shine; parallel light and a Lambertian point as an arrow, a point as a ball, a
- * spot as an open cone with its axis, a sky as a dome, and a photometric file as its polar diagram
- * with point array LuminousIntensity (cd, before Dimming), by GlyphSize. A property that the type
- * uses and that is out of its range gives one error that names it and its value, and an output with
- * nothing but that error, as field data LuminaireError.
+ * Panels, balls and lines are shown in their own size, panels with a line to the side to which they
+ * shine. Other lamps are shown in GlyphSize: parallel light and a Lambertian point as an arrow, a
+ * point as a ball, a spot as an open cone with its axis, a sky as a dome, and a photometric file as
+ * its polar diagram. The dome of a CIE sky has the point array Luminance (cd/m^2, after Dimming),
+ * the polar diagram the point array LuminousIntensity (cd, before Dimming). A property that the
+ * type uses and that is out of its range gives one error that names it and its value, and an output
+ * with nothing but that error, as field data LuminaireError.
  */
 
 #ifndef vtkLuminaireSource_h
@@ -55,9 +57,9 @@ public:
     RECTANGLE = 4,        ///< A Lambertian panel that shines to one side and stops no light.
     DISK = 5,             ///< As RECTANGLE, round.
     SPHERE = 6,           ///< A ball of uniform luminance that stops no light.
-    LINE = 7,             ///< A thin diffuse tube: intensity falls as the sine from its axis.
+    LINE = 7,             ///< A thin diffuse tube: intensity as the sine of the angle to its axis.
     UNIFORM_SKY = 8,      ///< The same luminance from everywhere above the horizon.
-    CIE_SKY = 9, ///< A sky of ISO 15469:2004 / CIE S 011:2003, by SkyType; without the sun.
+    CIE_SKY = 9, ///< The sky of SkyType in ISO 15469:2004 / CIE S 011:2003, without the sun.
     PHOTOMETRIC_FILE = 10 ///< A point with the intensities of FileName.
   };
 
@@ -71,7 +73,7 @@ public:
 
   ///@{
   /**
-   * What messages and tables call the lamp. Default: none (empty).
+   * Name of the lamp, in messages and in the point array Illuminance_<name>. Default: empty.
    */
   vtkSetStdStringFromCharMacro(LuminaireName);
   vtkGetCharFromStdStringMacro(LuminaireName);
@@ -79,8 +81,8 @@ public:
 
   ///@{
   /**
-   * Where the lamp or its centre is, in the data's length unit, or where the glyph of parallel
-   * light or of a sky is drawn; finite. Default: (0, 0, 1).
+   * Where the lamp or its centre is, or where the glyph of parallel light or of a sky is drawn; in
+   * the data's length unit, finite. Default: (0, 0, 1).
    */
   vtkSetVector3Macro(Position, double);
   vtkGetVector3Macro(Position, double);
@@ -88,9 +90,9 @@ public:
 
   ///@{
   /**
-   * The way the light travels: of parallel light, the axis of a Lambertian point or a spot, the
-   * side to which a panel shines, the aim of a photometric file's lamp; or along a line. Any length
-   * but zero. Default: (0, 0, -1).
+   * The direction in which the light travels: that of parallel light, the axis of a Lambertian
+   * point or a spot, the side to which a panel shines, the aim of a photometric file's lamp. For a
+   * line it is the line's axis. Finite, any length but zero. Default: (0, 0, -1).
    */
   vtkSetVector3Macro(Direction, double);
   vtkGetVector3Macro(Direction, double);
@@ -98,10 +100,10 @@ public:
 
   ///@{
   /**
-   * Width and height of a rectangle, or the radius of a disk or ball or the length of a line first,
-   * in the data's length unit, [0, 1e30]; with 0 all light comes from one point (or, from a
-   * rectangle with one side, from a line). The width runs along z x Direction (along x for a panel
-   * that shines straight up or down). Default: (1, 1).
+   * Width and height of a rectangle; or the radius of a disk or ball or the length of a line (the
+   * second number is not used then); in the data's length unit, [0, 1e30]. With size 0 all light
+   * comes from one point, and from a rectangle with one side of 0 from a line. The width runs along
+   * z x Direction (along x for a panel that shines straight up or down). Default: (1, 1).
    */
   vtkSetVector2Macro(Size, double);
   vtkGetVector2Macro(Size, double);
@@ -135,7 +137,8 @@ public:
 
   ///@{
   /**
-   * Luminous flux, lm, >= 0. Not for parallel light, skies and photometric files. Default: 1000.
+   * Luminous flux, lm, >= 0. Parallel light, skies and photometric files do not use it. Default:
+   * 1000.
    */
   vtkSetMacro(LuminousFlux, double);
   vtkGetMacro(LuminousFlux, double);
@@ -143,8 +146,8 @@ public:
 
   ///@{
   /**
-   * What parallel light gives a surface perpendicular to it, or a sky an unshaded horizontal one,
-   * lx, >= 0. Default: 1000.
+   * Illuminance that parallel light gives a surface perpendicular to it, or a sky an unshaded
+   * horizontal one, lx, >= 0. Default: 1000.
    */
   vtkSetMacro(Illuminance, double);
   vtkGetMacro(Illuminance, double);
@@ -161,8 +164,9 @@ public:
 
   ///@{
   /**
-   * Where the sun of a CIE_SKY stands, degrees: above the horizon, (0, 90], and clockwise from
-   * north, finite. North is +y, east is +x, the zenith +z. Default: 45 and 180, in the south.
+   * Where the sun of a CIE_SKY stands, degrees: the altitude above the horizon, (0, 90], and the
+   * azimuth clockwise from north, finite. North is +y, east is +x, the zenith is +z. Default: 45
+   * and 180, in the south.
    */
   vtkSetMacro(SunAltitude, double);
   vtkGetMacro(SunAltitude, double);
@@ -172,7 +176,8 @@ public:
 
   ///@{
   /**
-   * Photometric file of PHOTOMETRIC_FILE: IESNA LM-63 (.ies) or EULUMDAT (.ldt). Default: none.
+   * Photometric file of PHOTOMETRIC_FILE: IESNA LM-63 (.ies) or EULUMDAT (.ldt, .eul). Default:
+   * empty.
    */
   vtkSetStdStringFromCharMacro(FileName);
   vtkGetCharFromStdStringMacro(FileName);
@@ -189,8 +194,8 @@ public:
 
   ///@{
   /**
-   * Colour of the light, linear RGB (ITU-R BT.709), >= 0 and one of them above 0; only their ratios
-   * count. Default: (1, 1, 1).
+   * Colour of the light, linear RGB (ITU-R BT.709), finite, >= 0, and at least one of the three
+   * above 0. Only their ratios count. Default: (1, 1, 1).
    */
   vtkSetVector3Macro(LightColour, double);
   vtkGetVector3Macro(LightColour, double);
@@ -198,9 +203,9 @@ public:
 
   ///@{
   /**
-   * How large that is drawn which has no size of its own, or size 0, data's length unit, [1e-30,
-   * 1e30]: length of an arrow, edge of a cone, diameter of a point's ball, radius of a dome,
-   * largest radius of a polar diagram. Default: 0.1.
+   * How large lamps are drawn that have no size of their own, or size 0, in the data's length unit,
+   * [1e-30, 1e30]: length of an arrow, edge of a cone, diameter of a point's ball, radius of a
+   * dome, largest radius of a polar diagram. Default: 0.1.
    */
   vtkSetMacro(GlyphSize, double);
   vtkGetMacro(GlyphSize, double);

@@ -5,33 +5,33 @@
  *
  * Reads the luminous intensities of a luminaire: IESNA LM-63 of 1986 to 2019 (.ies) of photometry
  * types C, B and A, or EULUMDAT (.ldt, .eul). The output is the photometric solid, a closed surface
- * about the origin: in every direction a point at a distance in proportion to the intensity. The
- * luminaire aims along -z; azimuth 0 of type C is +x and azimuth 90 degrees is +y; right and up of
- * types A and B are +x and +y. Directions for which the file has no angles are dark.
+ * about the origin, whose distance from the origin is in proportion to the intensity. The luminaire
+ * aims along -z. For type C azimuth 0 is +x and azimuth 90 degrees is +y; for types A and B right
+ * is +x and up is +y. Directions beyond the file's angles are dark.
  *
- * Intensities are the file's with all factors that it names. Those of TILT count for a luminaire
- * that is not tilted, the one at 0 degrees.
+ * Intensities are the file's with all factors that it names. Of the factors of TILT the one at 0
+ * degrees counts, for a luminaire that is not tilted.
  *
  * Point array: LuminousIntensity (cd).
  *
  * Field data:
  *  - LuminaireFlux (lm): what the luminaire emits, the integral over the solid.
- *  - RatedFlux (lm): of its bare lamps together; 0 for absolute photometry.
+ *  - RatedFlux (lm): that of all its bare lamps; 0 for absolute photometry.
  *  - InputPower (W): 0 if the file does not say.
  *  - Efficacy (lm/W): LuminaireFlux / InputPower, where the power is known.
  *  - Description: manufacturer, name and number as far as given.
  *  - PhotometricType: C, B or A.
- *  - Notes: what was assumed where the file leaves its standard, and what is odd in it; one text
- *    each, none for most files.
+ *  - Notes: what was assumed where the file deviates from its standard, and what is odd in it, one
+ *    text each; none for most files.
  *
  * The reader is strict where light depends on it (counts, angles, intensities, units, factors) and
- * lenient elsewhere: text of any encoding and with any line ends, text after the last intensity,
+ * lenient elsewhere: UTF-8, UTF-16 and Latin-1, any line ends, text after the last intensity,
  * decimal commas, spellings of the format line, lamp sets of EULUMDAT in either order.
  *
  * The output is a luminaire too, for the second input of vtkIlluminationMap: at the origin, aiming
- * along -z, with the file's flux and the file's name without its extension. Its further field
- * arrays are those of vtkLuminaireSource, and like that one's output it can be moved with its
- * points. Size has no influence on its light.
+ * along -z, with the file's flux, and named as the file is without its extension. It has the field
+ * arrays of vtkLuminaireSource as well, and moves with its points as the output of that source
+ * does. Size does not change its light.
  *
  * A file that can't be read gives one error with its name, the line, the value and what should be
  * there, and an output with nothing but that error, as field data LuminaireError.
@@ -62,16 +62,16 @@ public:
 
   ///@{
   /**
-   * Distance of the largest intensity from the origin, in the data's length unit, above 0.
-   * Default: 1.
+   * Distance of the largest intensity from the origin, in the data's length unit, finite and above
+   * 0. Default: 1.
    */
   vtkSetMacro(Size, double);
   vtkGetMacro(Size, double);
   ///@}
 
   /**
-   * 1 for a file that can be opened and has the extension of a photometric file, else 0. Whether
-   * its content can be read shows on Update.
+   * 1 for a file that can be opened and has the extension of a photometric file, else 0. The
+   * content is not looked at.
    */
   int CanReadFile(VTK_FILEPATH const char* name);
 

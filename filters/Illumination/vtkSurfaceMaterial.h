@@ -3,10 +3,10 @@
  * @class   vtkSurfaceMaterial
  * @brief   gives surfaces a material that vtkIlluminationMap understands
  *
- * Writes the material into cell arrays: of all cells, of the chosen blocks of a composite data set,
- * or of the cells where a cell array has a certain value. Several of these filters, one after the
- * other, give each part of a scene its own material. Cells that are not chosen keep the material
- * they have; in a block that lacks one of the arrays they get its value of a matt grey of
+ * Writes the material into cell arrays: for all cells, for the chosen blocks of a composite data
+ * set, or for the cells where a cell array has a certain value. Several of these filters, one after
+ * the other, give each part of a scene its own material. Cells that are not chosen keep the
+ * material they have. If their block lacks one of the arrays, they get its value for a matt grey of
  * reflectance 0.5, so that every surface of the output has all arrays.
  *
  * Reflectances and transmittances are shares of the light that arrives, the same on both sides of
@@ -38,10 +38,10 @@ public:
   vtkTypeMacro(vtkSurfaceMaterial, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Where the values come from: MaterialPresets.cxx.
+  /// MaterialPresets.cxx says where the values come from.
   enum Presets
   {
-    CUSTOM = 0,       ///< As the properties below say; they are for this alone.
+    CUSTOM = 0,       ///< The values of the properties below, which no other preset uses.
     WHITE_PAINT = 1,  ///< Matt, 0.85.
     MID_GREY = 2,     ///< Matt, 0.5.
     PLASTER = 3,      ///< Gypsum, matt, 0.75.
@@ -51,7 +51,7 @@ public:
     BLACK_PAINT = 7,  ///< Matt, 0.05.
     ALUMINIUM = 8,    ///< Brushed reflector, glossy, 0.85, roughness 0.33.
     MIRROR = 9,       ///< Specular, 0.9.
-    CLEAR_GLASS = 10, ///< Pane of 6 mm float glass: index 1.52, transmittance 0.88 at right angles.
+    CLEAR_GLASS = 10, ///< Pane of 6 mm float glass: index 1.52; 0.88 pass at right angles.
     FROSTED_GLASS = 11 ///< Pane that lets 0.81 through and reflects 0.15, both diffusely.
   };
 
@@ -65,7 +65,8 @@ public:
 
   ///@{
   /**
-   * Light reflected by Lambert's law, red, green and blue, [0, 1]. Default: 0.5 each.
+   * Share of the light that is reflected by Lambert's law, red, green and blue, [0, 1]. Default:
+   * 0.5 each.
    */
   vtkSetVector3Macro(DiffuseReflectance, double);
   vtkGetVector3Macro(DiffuseReflectance, double);
@@ -73,7 +74,8 @@ public:
 
   ///@{
   /**
-   * Light reflected as by a mirror, red, green and blue, [0, 1]. Default: 0 each.
+   * Share of the light that is reflected as by a mirror, red, green and blue, [0, 1]. Default: 0
+   * each.
    */
   vtkSetVector3Macro(SpecularReflectance, double);
   vtkGetVector3Macro(SpecularReflectance, double);
@@ -81,8 +83,8 @@ public:
 
   ///@{
   /**
-   * Light reflected about the mirror's direction, as wide as Roughness says, red, green and blue,
-   * [0, 1]. Default: 0 each.
+   * Share of the light that is reflected about the mirror direction, spread by Roughness, red,
+   * green and blue, [0, 1]. Default: 0 each.
    */
   vtkSetVector3Macro(GlossyReflectance, double);
   vtkGetVector3Macro(GlossyReflectance, double);
@@ -90,7 +92,8 @@ public:
 
   ///@{
   /**
-   * Of glossy reflection, (0, 1]; its square is alpha of the GGX distribution. Default: 0.3.
+   * Roughness of glossy reflection, (0, 1]. Its square is alpha of the GGX distribution. Default:
+   * 0.3.
    */
   vtkSetMacro(Roughness, double);
   vtkGetMacro(Roughness, double);
@@ -98,8 +101,8 @@ public:
 
   ///@{
   /**
-   * Light let through to the other side by Lambert's law, red, green and blue, [0, 1]. Default: 0
-   * each.
+   * Share of the light that leaves on the other side by Lambert's law, red, green and blue, [0, 1].
+   * Default: 0 each.
    */
   vtkSetVector3Macro(DiffuseTransmittance, double);
   vtkGetVector3Macro(DiffuseTransmittance, double);
@@ -107,9 +110,9 @@ public:
 
   ///@{
   /**
-   * Light let through as by clear glass, red, green and blue, [0, 1]: what would pass at right
-   * angles if nothing were reflected; the reflection by RefractiveIndex comes on top. Default: 0
-   * each.
+   * Share of the light that passes as through clear glass, red, green and blue, [0, 1]: what would
+   * pass at right angles if nothing were reflected. The reflection by RefractiveIndex lessens it.
+   * Default: 0 each.
    */
   vtkSetVector3Macro(ClearTransmittance, double);
   vtkGetVector3Macro(ClearTransmittance, double);
@@ -117,8 +120,9 @@ public:
 
   ///@{
   /**
-   * Of what is clear, relative to its surroundings, [1, 4]; 1 reflects nothing. It means nothing
-   * where ClearTransmittance is 0. Default: 1.5, as of glass and clear plastics.
+   * Refractive index of clear material relative to its surroundings, [1, 4]; with 1 nothing is
+   * reflected. It has no effect where ClearTransmittance is 0 in all three. Default: 1.5, as of
+   * glass and clear plastics.
    */
   vtkSetMacro(RefractiveIndex, double);
   vtkGetMacro(RefractiveIndex, double);
@@ -126,8 +130,9 @@ public:
 
   ///@{
   /**
-   * Whether what is clear is the surface of a body that bends light, the normals' side being its
-   * outside; otherwise it is a thin pane with both its faces, which does not. Default: off.
+   * Whether clear material is the surface of a body that bends light; its outside is the side of
+   * the normals. Otherwise it is a thin pane with both its faces, which does not bend light.
+   * Default: off.
    */
   vtkSetMacro(SolidBody, bool);
   vtkGetMacro(SolidBody, bool);
@@ -137,8 +142,8 @@ public:
   ///@{
   /**
    * Flat indices of the blocks of a composite data set that get the material, each with all blocks
-   * below it; every block if none is added. Each must exist, and one surface must be among them. A
-   * single surface has no blocks and pays no regard to them. Default: none.
+   * below it. If none is added, every block gets it. Each index must exist, and at least one of the
+   * chosen blocks must be a surface. They are not used for a single surface. Default: none.
    */
   void AddBlock(int flatIndex);
   void RemoveAllBlocks();
@@ -148,9 +153,8 @@ public:
 
   ///@{
   /**
-   * Name of a cell array with one component: within the chosen blocks, which must have it, only
-   * cells where it has the value CellValue get the material. Empty or "None": all cells. Default:
-   * empty.
+   * Name of a cell array with one component, which all chosen blocks must have: only their cells in
+   * which it has the value CellValue get the material. Empty or "None": all cells. Default: empty.
    */
   vtkSetStdStringFromCharMacro(CellArray);
   vtkGetCharFromStdStringMacro(CellArray);
@@ -158,7 +162,8 @@ public:
 
   ///@{
   /**
-   * The value that chosen cells have in CellArray, exactly; at least one must have it. Default: 0.
+   * The exact value of CellArray in the cells that get the material; at least one cell must have
+   * it. Default: 0.
    */
   vtkSetMacro(CellValue, double);
   vtkGetMacro(CellValue, double);

@@ -6,13 +6,20 @@ namespace PhotonTransport
 namespace
 {
 
-std::vector<SpectralFilter> Ladder()
+std::vector<SpectralFilter> MakeLadder()
 {
   std::vector<SpectralFilter> filters;
   for (const double time : KernelTimes)
   {
     filters.push_back(SpectralFilter::TwicedHeat(time));
   }
+  return filters;
+}
+
+/// Their series take a millisecond, so they are found once.
+const std::vector<SpectralFilter>& Ladder()
+{
+  static const std::vector<SpectralFilter> filters = MakeLadder();
   return filters;
 }
 

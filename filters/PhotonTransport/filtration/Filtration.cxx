@@ -83,10 +83,10 @@ std::vector<float> Importance(
 {
   constexpr double Neighbourhood = 2.0;
   constexpr double Floor = 0.3;
-  Columns<1> light(total.size());
+  Columns<4> light(total.size());
   std::transform(total.begin(), total.end(), light.begin(),
-    [](double value) { return std::array<float, 1>{ static_cast<float>(value) }; });
-  light = Apply<1>(graph, { SpectralFilter::Heat(Neighbourhood) }, light, monitor).front();
+    [](double value) { return std::array<float, 4>{ static_cast<float>(value) }; });
+  light = Pool(graph, Neighbourhood, std::move(light), monitor);
   const Values& areas = graph.VertexAreas();
   const double flux = std::inner_product(areas.begin(), areas.end(), total.begin(), 0.0);
   const double mean = flux / std::accumulate(areas.begin(), areas.end(), 0.0);
@@ -94,7 +94,7 @@ std::vector<float> Importance(
   if (mean > 0.0)
   {
     std::transform(light.begin(), light.end(), importance.begin(),
-      [&](const std::array<float, 1>& value)
+      [&](const std::array<float, 4>& value)
       { return static_cast<float>(1.0 / (std::max(0.0, double{ value[0] }) / mean + Floor)); });
   }
   return importance;

@@ -4,6 +4,7 @@
 #include "PhotonTransport/scene/ParallelFor.h"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace PhotonTransport
 {
@@ -12,6 +13,12 @@ namespace PhotonTransport
 template <typename Body>
 void ForRanges(std::size_t count, const Body& body)
 {
+  constexpr std::size_t NotWorthAThread = 1024;
+  if (count <= NotWorthAThread)
+  {
+    body(0, count);
+    return;
+  }
   ParallelFor(0, count,
     [&](const tbb::blocked_range<std::uint64_t>& range) { body(range.begin(), range.end()); });
 }

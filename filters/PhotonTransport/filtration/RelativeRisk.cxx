@@ -125,17 +125,15 @@ Admission AdmitByRelativeRisk(const SmoothingGraph& graph, const CandidateMaps& 
   const PhotonNoise& photons, double strength, const FiltrationMonitor& monitor)
 {
   std::vector<double> photonOfRing(candidates.Vertices());
-  CandidateColumns risks(candidates.Vertices(), CandidateColumns::value_type{});
+  CandidateColumns risks(candidates.Vertices());
   ForEach(risks.size(),
     [&](std::size_t v)
     {
       photonOfRing[v] = PhotonOfRing(graph, photons, v);
-      if (photonOfRing[v] > 0.0)
-      {
-        risks[v] = RisksAt(candidates, v, photonOfRing[v]);
-      }
+      risks[v] = photonOfRing[v] > 0.0 ? RisksAt(candidates, v, photonOfRing[v])
+                                       : CandidateColumns::value_type{};
     });
-  risks = Pool(graph, RiskPool, risks, monitor);
+  risks = Pool(graph, RiskPool, std::move(risks), monitor);
   Admission admission(risks.size());
   ForEach(risks.size(),
     [&](std::size_t v)

@@ -32,13 +32,14 @@ constexpr float Veto = 0.1f;
 /// Estimated squared errors of the candidates from the map alone.
 CandidateColumns RisksAgainstMap(const CandidateMaps& candidates, const SelectionSettings& settings)
 {
-  CandidateColumns risks(settings.importance.size(), CandidateColumns::value_type{});
+  CandidateColumns risks(settings.importance.size());
   ForEach(risks.size(),
     [&](std::size_t v)
     {
       const Group& map = candidates.At(0, v);
       const double noise = Variance(map);
       const double importance = settings.importance[v];
+      risks[v] = {};
       risks[v][0] = static_cast<float>(importance * settings.strength * noise);
       risks[v][NoiseColumn] = static_cast<float>(importance * noise);
       for (std::size_t k = 1; k < Candidates; ++k)
@@ -56,10 +57,11 @@ CandidateColumns RisksAgainstMap(const CandidateMaps& candidates, const Selectio
 CandidateColumns RisksAgainstFirst(
   const CandidateMaps& candidates, const GroupColumns& first, const SelectionSettings& settings)
 {
-  CandidateColumns risks(settings.importance.size(), CandidateColumns::value_type{});
+  CandidateColumns risks(settings.importance.size());
   ForEach(risks.size(),
     [&](std::size_t v)
     {
+      risks[v] = {};
       for (std::size_t k = 0; k < Candidates; ++k)
       {
         const Group& candidate = candidates.At(k, v);
@@ -97,24 +99,26 @@ Choice LeastRisk(const CandidateColumns& risks, const Admits& admits)
 
 /// Risks over the wide neighbourhood, or over the near one where that rejects the wide one's
 /// choice.
-CandidateColumns FirstRisks(const SmoothingGraph& graph, const CandidateColumns& risks,
+CandidateColumns FirstRisks(const SmoothingGraph& graph, CandidateColumns risks,
   const Admission& admission, const FiltrationMonitor& monitor)
 {
-  const std::vector<CandidateColumns> pooled = Apply<12>(
-    graph, { SpectralFilter::Heat(FirstPool), SpectralFilter::Heat(NearPool) }, risks, monitor);
-  const CandidateColumns& wide = pooled[0];
+  std::vector<CandidateColumns> pooled = Apply<12>(graph,
+    { SpectralFilter::Heat(FirstPool), SpectralFilter::Heat(NearPool) }, std::move(risks), monitor);
+  CandidateColumns& wide = pooled[0];
   const CandidateColumns& near = pooled[1];
   const auto admits = [&](std::size_t k, std::size_t v) { return Admits(admission, k, v); };
   const Choice choiceOfWide = LeastRisk(wide, admits);
   const Choice choiceOfNear = LeastRisk(near, admits);
-  CandidateColumns first(risks.size());
-  ForEach(risks.size(),
+  ForEach(wide.size(),
     [&](std::size_t v)
     {
       const float loss = near[v][choiceOfWide[v]] - near[v][choiceOfNear[v]];
-      first[v] = loss > PlainDifference * near[v][NoiseColumn] ? near[v] : wide[v];
+      if (loss > PlainDifference * near[v][NoiseColumn])
+      {
+        wide[v] = near[v];
+      }
     });
-  return first;
+  return std::move(wide);
 }
 
 /// The share of each candidate at a vertex, from the pooled choices of its neighbourhood. It has no
@@ -146,12 +150,14 @@ CandidateColumns::value_type Shares(CandidateColumns::value_type pooled, std::si
 Selection Blend(const SmoothingGraph& graph, const CandidateMaps& candidates, const Choice& choice,
   const Admission& admission, const FiltrationMonitor& monitor)
 {
-  CandidateColumns weights(choice.size(), CandidateColumns::value_type{});
-  for (std::size_t v = 0; v < choice.size(); ++v)
-  {
-    weights[v][choice[v]] = 1.0f;
-  }
-  weights = Pool(graph, BlendPool, weights, monitor);
+  CandidateColumns weights(choice.size());
+  ForEach(choice.size(),
+    [&](std::size_t v)
+    {
+      weights[v] = {};
+      weights[v][choice[v]] = 1.0f;
+    });
+  weights = Pool(graph, BlendPool, std::move(weights), monitor);
   Selection selection{ GroupColumns(choice.size()), std::vector<double>(choice.size(), 0.0),
     std::vector<float>(choice.size(), 0.0f) };
   ForEach(choice.size(),

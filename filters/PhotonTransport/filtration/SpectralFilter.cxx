@@ -2,6 +2,7 @@
 #include "PhotonTransport/filtration/SpectralFilter.h"
 
 #include "PhotonTransport/filtration/Parallel.h"
+#include "PhotonTransport/filtration/Row.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,9 +32,12 @@ std::vector<double> SeriesFromNodes(
   {
     const double value =
       response(0.5 * double{ SmoothingGraph::LargestEigenvalue } * (1.0 + cosines[2 * i + 1]));
-    for (std::size_t k = 0; k < series.size(); ++k)
+    std::size_t angle = 0; // (2 i + 1) k, less whole turns
+    for (double& coefficient : series)
     {
-      series[k] += value * cosines[(2 * i + 1) * k % cosines.size()];
+      coefficient += value * cosines[angle];
+      angle += 2 * i + 1;
+      angle -= angle < cosines.size() ? 0 : cosines.size();
     }
   }
   for (std::size_t k = 0; k < series.size(); ++k)
@@ -61,30 +65,78 @@ std::vector<double> ChebyshevSeries(const std::function<double(double)>& respons
   return series;
 }
 
-/// One term of Chebyshev's recurrence, T_1 x = y x and T_{k+1} x = 2 y T_k x - T_{k-1} x with
-/// y = 2 M / largest - 1, at one vertex.
+/// What T_{k-1}, T_k and T_{k+1} count in one filter's series, and where its sum is kept.
 template <std::size_t N>
-std::array<float, N> NextTerm(const SmoothingGraph& graph, std::size_t v, const Columns<N>& current,
-  const std::array<float, N>* before)
+struct SeriesPart
 {
-  std::array<float, N> flow{};
-  const std::array<float, N> own = current[v];
-  for (const SmoothingGraph::Edge& edge : graph.At(v))
+  std::array<float, 3> coefficients;
+  std::array<float, N>* sums;
+};
+
+/// Of the filters whose series has terms in [first, last], which are at most three.
+template <std::size_t N>
+std::vector<SeriesPart<N>> PartsOf(const std::vector<SpectralFilter>& filters, std::size_t first,
+  std::size_t last, std::vector<Columns<N>>& results)
+{
+  std::vector<SeriesPart<N>> parts;
+  for (std::size_t i = 0; i < filters.size(); ++i)
   {
-    const std::array<float, N>& other = current[edge.neighbour];
-    for (std::size_t n = 0; n < N; ++n)
+    const std::vector<float>& series = filters[i].Series();
+    if (first < series.size())
     {
-      flow[n] += edge.conductance * (own[n] - other[n]);
+      parts.push_back({ {}, results[i].data() });
+      for (std::size_t k = first; k <= std::min(last, series.size() - 1); ++k)
+      {
+        parts.back().coefficients[k + 2 - last] = series[k];
+      }
     }
   }
-  const float scale = 2.0f / SmoothingGraph::LargestEigenvalue * graph.InverseArea(v);
-  std::array<float, N> next;
-  for (std::size_t n = 0; n < N; ++n)
+  return parts;
+}
+
+/// y x at one vertex, y = 2 M / largest - 1.
+template <std::size_t N>
+Row<N> Product(const SmoothingGraph& graph, std::size_t v, const std::array<float, N>* x)
+{
+  const Row<N> own(x[v]);
+  Row<N> inflow; // -L x
+  for (const SmoothingGraph::Edge& edge : graph.At(v))
   {
-    const float product = scale * flow[n] - own[n];
-    next[n] = before ? 2.0f * product - (*before)[n] : product;
+    inflow.Add(edge.conductance, Row<N>(x[edge.neighbour]) - own);
   }
-  return next;
+  return -2.0f / SmoothingGraph::LargestEigenvalue * graph.InverseArea(v) * inflow - own;
+}
+
+/// A step of Chebyshev's recurrence, T_{k+1} x = 2 y T_k x - T_{k-1} x. It replaces T_{k-1}. The
+/// first step, T_1 x = y x, finds neither that nor the sums set.
+template <std::size_t N>
+void Step(const SmoothingGraph& graph, bool isFirst, const Columns<N>& currentTerm,
+  Columns<N>& termBefore, const std::vector<SeriesPart<N>>& parts)
+{
+  ForRanges(graph.Vertices(),
+    [&](std::size_t first, std::size_t last)
+    {
+      // Stores could change what is reached through references; copies stay in registers.
+      const std::array<float, N>* const current = currentTerm.data();
+      std::array<float, N>* const before = termBefore.data();
+      const SeriesPart<N>* const firstPart = parts.data();
+      const SeriesPart<N>* const lastPart = firstPart + parts.size();
+      const bool unset = isFirst;
+      for (std::size_t v = first; v < last; ++v)
+      {
+        const Row<N> old = unset ? Row<N>() : Row<N>(before[v]);
+        const Row<N> next = (unset ? 1.0f : 2.0f) * Product<N>(graph, v, current) - old;
+        next.StoreTo(before[v]);
+        for (const SeriesPart<N>* part = firstPart; part != lastPart; ++part)
+        {
+          Row<N> sum = unset ? Row<N>() : Row<N>(part->sums[v]);
+          sum.Add(part->coefficients[0], old);
+          sum.Add(part->coefficients[1], Row<N>(current[v]));
+          sum.Add(part->coefficients[2], next);
+          sum.StoreTo(part->sums[v]);
+        }
+      }
+    });
 }
 
 } // namespace
@@ -125,45 +177,40 @@ SpectralFilter SpectralFilter::TwicedHeat(double t)
 
 template <std::size_t N>
 std::vector<Columns<N>> Apply(const SmoothingGraph& graph,
-  const std::vector<SpectralFilter>& filters, const Columns<N>& x, const FiltrationMonitor& monitor)
+  const std::vector<SpectralFilter>& filters, Columns<N> x, const FiltrationMonitor& monitor)
 {
-  std::size_t length = 0;
+  std::size_t length = 2;
   for (const SpectralFilter& filter : filters)
   {
     length = std::max(length, filter.Series().size());
   }
-  std::vector<Columns<N>> results(filters.size(), Columns<N>(graph.Vertices()));
-  Columns<N> before(graph.Vertices());
-  Columns<N> current = x;
-  for (std::size_t term = 0; term < length; ++term)
+  std::vector<Columns<N>> results;
+  for (std::size_t i = 0; i < filters.size(); ++i)
   {
-    monitor(static_cast<double>(term) / static_cast<double>(length));
-    ForEach(graph.Vertices(),
-      [&](std::size_t v)
-      {
-        for (std::size_t i = 0; i < filters.size(); ++i)
-        {
-          if (term < filters[i].Series().size())
-          {
-            const float coefficient = filters[i].Series()[term];
-            for (std::size_t n = 0; n < N; ++n)
-            {
-              results[i][v][n] += coefficient * current[v][n];
-            }
-          }
-        }
-        before[v] = NextTerm<N>(graph, v, current, term == 0 ? nullptr : &before[v]);
-      });
+    results.emplace_back(graph.Vertices());
+  }
+  Columns<N> before(graph.Vertices());
+  Columns<N>& current = x;
+  std::size_t added = 0; // terms
+  for (std::size_t k = 0; k + 1 < length; ++k)
+  {
+    monitor(static_cast<double>(k) / static_cast<double>(length));
+    // Memory is what this waits for, so the sums are fetched once for three terms.
+    std::vector<SeriesPart<N>> parts;
+    if (k == 0 || k == added + 1 || k + 2 == length)
+    {
+      parts = PartsOf<N>(filters, added, k + 1, results);
+      added = k + 2;
+    }
+    Step(graph, k == 0, current, before, parts);
     std::swap(before, current);
   }
   return results;
 }
 
-template std::vector<Columns<1>> Apply(const SmoothingGraph&, const std::vector<SpectralFilter>&,
-  const Columns<1>&, const FiltrationMonitor&);
-template std::vector<Columns<4>> Apply(const SmoothingGraph&, const std::vector<SpectralFilter>&,
-  const Columns<4>&, const FiltrationMonitor&);
-template std::vector<Columns<12>> Apply(const SmoothingGraph&, const std::vector<SpectralFilter>&,
-  const Columns<12>&, const FiltrationMonitor&);
+template std::vector<Columns<4>> Apply(
+  const SmoothingGraph&, const std::vector<SpectralFilter>&, Columns<4>, const FiltrationMonitor&);
+template std::vector<Columns<12>> Apply(
+  const SmoothingGraph&, const std::vector<SpectralFilter>&, Columns<12>, const FiltrationMonitor&);
 
 } // namespace PhotonTransport

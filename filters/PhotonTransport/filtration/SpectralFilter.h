@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/filtration/Columns.h"
 #include "PhotonTransport/filtration/SmoothingGraph.h"
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -11,10 +11,6 @@
 
 namespace PhotonTransport
 {
-
-/// N values a vertex that are filtered side by side.
-template <std::size_t N>
-using Columns = std::vector<std::array<float, N>>;
 
 /// A function p of M = A^-1 L, L the graph's Laplacian, as a polynomial: x -> p(M) x. Since p(0) =
 /// 1, constants stay and sum(A x) is conserved on every patch; since the polynomial is fixed, the
@@ -44,19 +40,19 @@ using FiltrationMonitor = std::function<void(double)>;
 
 /// Applies several filters to the same columns at the price of the longest, by Chebyshev's
 /// recurrence as in Hammond, Vandergheynst and Gribonval, "Wavelets on Graphs via Spectral Graph
-/// Theory", 2011, section 6. Made for N = 1, 4 and 12.
+/// Theory", 2011, section 6. Made for N = 4 and 12.
 /// @return [filter][vertex][column].
 template <std::size_t N>
 std::vector<Columns<N>> Apply(const SmoothingGraph& graph,
-  const std::vector<SpectralFilter>& filters, const Columns<N>& x,
-  const FiltrationMonitor& monitor);
+  const std::vector<SpectralFilter>& filters, Columns<N> x, const FiltrationMonitor& monitor);
 
 /// Means over a neighbourhood, by the heat kernel of a time.
 template <std::size_t N>
-Columns<N> Pool(const SmoothingGraph& graph, double time, const Columns<N>& values,
-  const FiltrationMonitor& monitor)
+Columns<N> Pool(
+  const SmoothingGraph& graph, double time, Columns<N> values, const FiltrationMonitor& monitor)
 {
-  return std::move(Apply<N>(graph, { SpectralFilter::Heat(time) }, values, monitor).front());
+  return std::move(
+    Apply<N>(graph, { SpectralFilter::Heat(time) }, std::move(values), monitor).front());
 }
 
 } // namespace PhotonTransport

@@ -19,7 +19,7 @@ struct Range
   const Element* end() const { return this->last; }
 };
 
-/// A facet's corner that is not in the ring of any vertex.
+/// Stands for a facet's corner that belongs to the ring of no vertex.
 constexpr std::uint32_t NoVertex = 0xffffffffu;
 
 /// For each vertex its ring: the facets that share it, as one flat list.

@@ -9,8 +9,8 @@ namespace PhotonTransport
 {
 
 /// Where the scene's own coordinates lie in the data's. Embree computes in float, so the scene is
-/// moved to the origin and scaled into [-1, 1] in double first. The scale is a power of two: it
-/// costs no rounding, and a model in millimetres traces the same photons as one in metres.
+/// moved to the origin and scaled into [-1, 1] in double first. The scale is a power of two, so
+/// that scaling rounds nothing.
 struct Placement
 {
   glm::dvec3 centre{ 0.0 };

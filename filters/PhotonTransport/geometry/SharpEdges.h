@@ -9,7 +9,8 @@
 namespace PhotonTransport
 {
 
-/// Which points lie on an edge at which two facets meet at more than an angle: 1, else 0.
+/// Marks the points (1, else 0) that lie on an edge at which two facets meet at more than an angle.
+/// Of an edge with more than two facets, each is compared with the first one in the list.
 /// @param normals Of the facets, unit, on their fronts; zero for a facet that does not count.
 /// @param cosine Of the angle between two normals, in [-1, 1].
 std::vector<std::uint8_t> PointsOnSharpEdges(std::size_t points,

@@ -106,7 +106,8 @@ void DirectionTable::FindFirstOfParts(std::size_t ring)
   std::uint32_t first = 0;
   for (std::size_t part = 0; part < intervals; ++part)
   {
-    // A dark ring has a say in nothing: it points to the last interval.
+    // In a dark ring every part points to the last interval. Nothing is drawn from such a ring
+    // alone, and in a mixture the other ring's smaller interval counts.
     const double start = whole * static_cast<double>(part) / static_cast<double>(intervals);
     while (first + 1 < intervals && nodes[first + 1].upTo <= start)
     {
@@ -163,9 +164,10 @@ double DirectionTable::PolarAt(double share, std::size_t& band) const
   return p;
 }
 
-/// The azimuth up to which a share of the light lies that a part `below` of the way through a band
-/// has: the distribution there is a mixture of its two rings', so that it is not reached before
-/// the nearer of the two.
+/// The azimuth up to which a share of the light at one polar angle lies. The angle is a part
+/// `below`, in [0, 1], of the way from the band's upper ring to its lower one. The distribution
+/// there is a mixture of the two rings' distributions, so the azimuth lies between those of the two
+/// rings, and the search starts at the smaller of them.
 double DirectionTable::AzimuthAt(std::size_t band, double below, double share) const
 {
   const std::size_t columns = this->Azimuth.size();

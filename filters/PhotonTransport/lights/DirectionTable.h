@@ -12,9 +12,9 @@
 namespace PhotonTransport
 {
 
-/// Directions whose density by solid angle is bilinear in polar angle and azimuth, on a grid. Two
-/// numbers become two angles by exact inversion of the distribution, so that well spread numbers
-/// give well spread directions.
+/// Directions whose density by solid angle is bilinear in polar angle and azimuth between the
+/// points of a grid. Two numbers become two angles by inversion of the distribution, so that well
+/// spread numbers give well spread directions.
 class DirectionTable
 {
 public:
@@ -24,10 +24,10 @@ public:
   DirectionTable(
     std::vector<double> polar, std::vector<double> azimuth, std::vector<double> values);
 
-  /// Of the values over the solid angle of the grid.
+  /// The integral of the values over the solid angle of the grid.
   double Integral() const { return this->Whole; }
 
-  /// Of the values times the cosine of the polar angle, over the part up to pi/2.
+  /// The integral of the values times the cosine of the polar angle, over the part up to pi/2.
   double CosineIntegral() const;
 
   /// Polar angle and azimuth, radians. Integral() must not be 0. @param u, v In [0, 1).
@@ -55,10 +55,10 @@ private:
   std::vector<double> Azimuth;
   std::vector<Ring> Rings;
   std::vector<Node> Nodes; ///< [ring][azimuth]
-  FluxTable Bands;         ///< Between two rings each.
+  FluxTable Bands;         ///< Chooses a band, which lies between two rings.
   double Whole = 0.0;
-  /// [ring][part], of as many equal parts of the ring's integral as there are intervals of azimuth:
-  /// the first interval that reaches into the part, see FluxTable.
+  /// [ring][part] The first interval of azimuth that reaches into a part of the ring's integral,
+  /// which has as many equal parts as there are intervals. See FluxTable.
   std::vector<std::uint32_t> FirstOfPart;
 };
 

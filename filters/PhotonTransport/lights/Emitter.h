@@ -61,8 +61,9 @@ private:
     const PhotonSample& sample, std::uint32_t lamp, const Share& share) const;
 
   std::vector<EmitterKind> Kinds;
-  FluxTable Table;                 ///< Of the lamps.
-  std::vector<Colour> ChannelEnds; ///< See ChannelEndsOf; by lamp, empty without colour.
+  FluxTable Table; ///< Chooses the lamp, where there are several.
+  /// [lamp] Shares of red, of red and green, and of all in the lamp's flux; empty without colour.
+  std::vector<Colour> ChannelEnds;
   double TotalFlux = 0.0;
 };
 

@@ -17,8 +17,8 @@ namespace PhotonTransport
 
 // The ways in which photons start, in the scene's coordinates. Each Emit() gives one photon's ray.
 
-/// A part of [0, 1) that belongs to one lamp of several: where a photon's number lies within it
-/// serves the lamp for a choice of its own.
+/// The slice of [0, 1) that selects this lamp; the position inside it is reused as a fresh uniform
+/// number.
 struct Share
 {
   double begin = 0.0;
@@ -92,7 +92,7 @@ struct FacetEmitter
 {
   const Scene* scene;
   std::vector<std::uint32_t> facets; ///< Those that shine.
-  FluxTable table;                   ///< Of them.
+  FluxTable table;                   ///< Chooses one of them.
   std::uint32_t FacetOf(const PhotonSample& sample, const Share& share) const
   {
     return this->facets[this->table.At(share.PlaceOf(sample))];

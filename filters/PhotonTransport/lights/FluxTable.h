@@ -8,7 +8,8 @@
 namespace PhotonTransport
 {
 
-/// Chooses among many by their share of the whole, in the order of the numbers.
+/// Chooses among many, each as often as its share of the whole. A larger number never chooses an
+/// earlier one, so that well spread numbers give well spread choices.
 class FluxTable
 {
 public:
@@ -52,7 +53,7 @@ public:
     return chosen;
   }
 
-  /// Where in [0, 1) what At() chooses begins and ends.
+  /// The slice of [0, 1) for which At() chooses this one begins and ends here.
   double Begin(std::size_t chosen) const
   {
     return chosen == 0 ? 0.0 : this->Cumulative[chosen - 1];
@@ -61,8 +62,9 @@ public:
 
 private:
   std::vector<double> Cumulative; ///< Of the shares, the last 1.
-  /// For each of as many equal parts of [0, 1): the first that it may choose. A search that starts
-  /// there takes one step on average (Chen and Asau 1974), and keeps the numbers' order.
+  /// [0, 1) has as many equal parts as there are choices; this is the first choice in each part. A
+  /// search that starts there takes at most one step on average (the guide table of Chen and Asau,
+  /// "On Generating Random Variates from an Empirical Distribution", 1974).
   std::vector<std::uint32_t> FirstOfPart;
 };
 

@@ -44,7 +44,7 @@ struct SpotLamp
 {
   glm::dvec3 position{ 0.0 };
   glm::dvec3 direction{ 0.0, 0.0, -1.0 };
-  double halfAngle = 0.5; ///< Radians, (0, pi]; at most pi/2 with an exponent above 0.
+  double halfAngle = 0.5; ///< Axis to edge, radians, (0, pi]; at most pi/2 if the exponent is > 0.
   double exponent = 0.0;  ///< n >= 0; 0 is even light.
   double flux = 1000.0;
 };
@@ -57,8 +57,8 @@ struct RectangleLamp
   double width = 1.0;
   double height = 1.0;
   double flux = 1000.0;
-  /// Which way the width runs; any length. Zero: along z x direction, or x for vertical light. The
-  /// height runs along direction x width.
+  /// The direction of the width, of any length, not along `direction`. Zero: along z x direction,
+  /// or along x for vertical light. The height runs along direction x width.
   glm::dvec3 across{ 0.0 };
 };
 
@@ -114,13 +114,14 @@ struct LineLamp
 struct PhotometricLamp
 {
   glm::dvec3 position{ 0.0 };
-  /// Where the lamp aims: the nadir of type C, the centre of types A and B. Unturned, with the aim
-  /// along -z, azimuth 0 of type C is +x and azimuth 90 degrees is +y; other aims turn the lamp by
-  /// the shortest way (about x for +z).
+  /// Where the lamp aims: the nadir of type C, the centre of types A and B. For a lamp that aims
+  /// along -z with rotation 0, azimuth 0 of type C is +x and azimuth 90 degrees is +y. Another aim
+  /// turns the lamp there by the shortest way (about x for +z).
   glm::dvec3 direction{ 0.0, 0.0, -1.0 };
-  double rotation = 0.0; ///< Radians about the aim, turning +x towards +y before all else.
+  /// Radians by which the lamp is turned about its aim, from +x towards +y, while it aims along -z.
+  double rotation = 0.0;
   PhotometricSolid solid;
-  double scale = 1.0; ///< Times the solid's intensities, >= 0.
+  double scale = 1.0; ///< Factor on the solid's intensities, >= 0.
 };
 
 /// Triangles that shine diffusely to the side round which their corners run counter-clockwise.
@@ -136,13 +137,14 @@ using Lamp =
   std::variant<ParallelLight, PointLamp, LambertianPointLamp, SpotLamp, RectangleLamp, DiskLamp,
     EmittingFacets, UniformSky, CieSky, SphereLamp, LineLamp, PhotometricLamp, EmittingMesh>;
 
-/// A lamp with what concerns its place among others.
+/// A lamp with its name and the colour of its light.
 struct Luminaire
 {
   Lamp lamp;
   std::string name;
-  Colour colour{ 1.0f }; ///< Of the light, in any scale; the flux is the lamp's. Not for facets
-                         ///< with colours of their own (Surface::exitanceColour).
+  /// The colour of the light, in any scale: it does not change the flux. It is not used for facets
+  /// that have colours of their own (Surface::exitanceColour).
+  Colour colour{ 1.0f };
 };
 
 /// All the light of a scene. At least one lamp.

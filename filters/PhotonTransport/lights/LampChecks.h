@@ -10,8 +10,8 @@
 namespace PhotonTransport
 {
 
-// What a lamp's description must hold to, in the scene's terms. Each throws InvalidInput that names
-// what is wrong and its value.
+// Checks of the numbers that describe a lamp. Each throws InvalidInput that names what is wrong and
+// its value, and otherwise returns the value in the scene's terms.
 
 [[noreturn]] void RefuseLamp(const std::string& message);
 

@@ -19,7 +19,7 @@ inline bool IsGrey(const Colour& colour)
   return colour.x == colour.y && colour.y == colour.z;
 }
 
-/// The one channel's value for a colour, for light of equal channels.
+/// The value that stands for a colour where there is one channel: its share of white light.
 inline float Luminous(const Colour& colour)
 {
   return IsGrey(colour) ? colour.x : glm::dot(LuminousWeights, colour);

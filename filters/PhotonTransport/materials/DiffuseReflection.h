@@ -10,8 +10,9 @@
 namespace PhotonTransport
 {
 
-/// Russian roulette (the paper's section 2): the photon survives with unchanged energy, or
-/// disappears. Compared as integers, so that reflectance 0 never and 1 always survives.
+/// Russian roulette (B. Barladian, "Indirect illumination on curve surfaces"): the photon survives
+/// with unchanged energy, or disappears. Integers are compared, so that with reflectance 0 no
+/// photon survives and with 1 every photon does.
 inline bool Survives(float reflectance, std::uint32_t bits)
 {
   return bits < static_cast<std::uint64_t>(reflectance * 0x1p32f);

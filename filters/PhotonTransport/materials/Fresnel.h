@@ -25,12 +25,12 @@ struct FresnelReflectances
   float parallel;
   float cosine; ///< Of the refracted ray to the normal; 0 where there is none.
 
-  /// @param cosIn Of the arriving ray to the normal, [0, 1]. @param index Of the side it enters
-  /// relative to the side it comes from, > 0.
+  /// @param cosIn Cosine of the arriving ray to the normal, [0, 1]. @param index Refractive index
+  /// of the side that it enters relative to the side that it comes from, > 0.
   FresnelReflectances(float cosIn, float index)
   {
-    // Snell's law as 1 - sin^2/n^2 would leave few digits at grazing incidence: an index of 1 would
-    // reflect. So multiplied out.
+    // Snell's law, cos^2 = 1 - sin^2 / n^2, multiplied out. As it stands it would lose digits at
+    // grazing incidence, and an index of 1 would reflect.
     const float cosine2 = (cosIn * cosIn + (index - 1.0f) * (index + 1.0f)) / (index * index);
     if (!(cosine2 > 0.0f))
     {
@@ -50,11 +50,11 @@ struct FresnelReflectances
 
 /// A thin pane with both its faces and all reflections between them, which do not interfere:
 /// R = r + (1 - r)^2 r t^2 / (1 - r^2 t^2), T = (1 - r)^2 t / (1 - r^2 t^2) for each polarisation.
-/// @param internal Transmittance of the pane's body for light straight through it, [0, 1].
+/// @param internal Transmittance t of the pane's body at normal incidence, [0, 1]; at a slant it is
+/// t^(1 / cosine of the refracted ray).
 inline ReflectedAndTransmitted ThinPane(float cosIn, float index, float internal)
 {
   const FresnelReflectances fresnel(cosIn, index);
-  // The way through the body is longer at a slant.
   const float body =
     internal < 1.0f && fresnel.cosine > 0.0f ? std::pow(internal, 1.0f / fresnel.cosine) : internal;
   ReflectedAndTransmitted sum{ 0.0f, 0.0f };

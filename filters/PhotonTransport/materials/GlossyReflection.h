@@ -23,18 +23,18 @@ inline float SmithLambda(float cosine, float alpha)
 }
 
 /// A direction from a lobe about the mirror direction, and the probability that the photon leaves
-/// there; else it meets another microfacet.
+/// in it. Otherwise the photon meets another microfacet.
 struct GlossyDirection
 {
   glm::vec3 direction;
   float probability;
 };
 
-/// Microfacets of the GGX distribution that reflect everything (Walter et al., "Microfacet Models
-/// for Refraction through Rough Surfaces", 2007), each chosen as often as the photon sees it
-/// (Heitz, "Sampling the GGX Distribution of Visible Normals", JCGT 7(4), 2018, as a spherical cap:
-/// Dupuy and Benyoub, "Sampling Visible GGX Normals with Spherical Caps", 2023). The probability,
-/// G2 / G1, is at most 1.
+/// Reflection from microfacets of the GGX distribution that reflect everything (Walter et al.,
+/// "Microfacet Models for Refraction through Rough Surfaces", 2007). Each microfacet is chosen in
+/// proportion to what the photon sees of it (Heitz, "Sampling the GGX Distribution of Visible
+/// Normals", JCGT 7(4), 2018), by a spherical cap (Dupuy and Benyoub, "Sampling Visible GGX Normals
+/// with Spherical Caps", 2023). The probability is G2 / G1, at most 1.
 /// @param towards Unit, back along the photon's ray. @param normal Unit, on the same side.
 /// @param alpha Of the distribution, > 0.
 inline GlossyDirection ReflectGlossily(

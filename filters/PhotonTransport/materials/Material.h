@@ -14,16 +14,17 @@ struct Material
   Colour specularReflectance{ 0.0f };  ///< As a mirror does.
   Colour glossyReflectance{ 0.0f };    ///< About the mirror direction, as wide as `roughness`.
   Colour diffuseTransmittance{ 0.0f }; ///< To the other side, by Lambert's law: a lamp shade.
-  /// Straight on or refracted: of what the others leave, the part that would pass at normal
-  /// incidence if nothing were reflected. Fresnel's reflection by `refractiveIndex` comes on top.
+  /// The share of the arriving light that would pass at normal incidence, straight on or refracted,
+  /// if nothing were reflected. All light that the other shares leave meets the pane or the surface
+  /// of the body; Fresnel's reflection by `refractiveIndex` takes its part of it first.
   Colour clearTransmittance{ 0.0f };
 
-  /// Of the glossy lobe, (0, 1]: the GGX distribution's alpha is its square.
+  /// Of the glossy lobe, (0, 1]. Its square is alpha of the GGX distribution.
   float roughness = 0.3f;
-  /// Of the clear part, relative to what surrounds it, [1, 4]; 1 reflects nothing.
+  /// Of the clear part, relative to its surroundings, [1, 4]; 1 reflects nothing.
   float refractiveIndex = 1.0f;
-  /// The clear part is the surface of a body that bends light, its front being the outside;
-  /// otherwise a thin pane with both its faces, which does not.
+  /// True: the clear part is the surface of a body that bends light; its front is the outside.
+  /// False: it is a thin pane with both its faces, which does not bend light.
   bool solid = false;
 };
 

@@ -47,12 +47,12 @@ struct Departure
   glm::vec3 direction{ 0.0f };
 };
 
-/// One channel of a material, as Russian roulette wants it: shares of 2^32 that add up from one to
-/// the next.
+/// One channel of a material for Russian roulette: the intervals of [0, 2^32) that belong to its
+/// shares follow one another, and each begins where the one before ends.
 struct RouletteChannel
 {
-  std::uint64_t diffuse, specular, glossy, through; ///< Upper ends.
-  float internal; ///< Of the clear part, which takes the rest: its body's transmittance.
+  std::uint64_t diffuse, specular, glossy, through; ///< Upper ends of the intervals.
+  float internal; ///< Transmittance of the body of the clear part, which takes the rest.
 };
 
 /// A material made ready for photons.
@@ -63,7 +63,7 @@ struct Roulette
   float refractiveIndex;
   bool clear;
   bool solid;
-  bool translucent; ///< Lets light through in whichever way.
+  bool translucent; ///< Lets light through, in any way.
 };
 
 /// @param colour Whether photons carry a channel each; otherwise all three are the luminous one.
@@ -72,7 +72,7 @@ Roulette MakeRoulette(const Material& material, bool colour);
 /// What a material can do with light.
 ScatteringSet ScatteringsOf(const Material& material);
 
-/// Whether it treats the channels unequally.
+/// Whether a material treats the channels unequally.
 bool IsColoured(const Material& material);
 
 /// The clear part of a pane or of a body's surface.
@@ -105,7 +105,8 @@ inline Departure PassClear(const Roulette& material, float internal, float u,
   return departure;
 }
 
-/// The glossy share of the light, all of it. @param place In [0, 1).
+/// The direction in which the glossy share of the light leaves; none of it is lost. @param place A
+/// uniform number in [0, 1).
 inline glm::vec3 ReflectFromMicrofacets(const glm::vec3& towards, const glm::vec3& normal,
   float alpha, const ScatteringSample& sample, double place)
 {
@@ -114,9 +115,10 @@ inline glm::vec3 ReflectFromMicrofacets(const glm::vec3& towards, const glm::vec
   {
     return lobe.direction;
   }
-  // What microfacets pass on to each other leaves in all directions (Kulla and Conty, "Revisiting
-  // Physically Based Shading at Imageworks", 2017, whose lobe for it is nearly Lambert's), so that
-  // nothing is lost. By fresh numbers: those at hand are not uniform among such photons.
+  // Light that microfacets pass on to each other leaves in all directions, so that nothing is lost.
+  // Lambert's law stands in for the nearly equal lobe of Kulla and Conty, "Revisiting Physically
+  // Based Shading at Imageworks", 2017. The numbers are fresh, since u and v are not uniform among
+  // the photons that get here.
   constexpr std::uint32_t GlossyStream = 0x476c6f73u;
   const std::array<std::uint32_t, 4> fresh =
     Philox({ sample.survival, static_cast<std::uint32_t>(sample.u * 0x1p24f),
@@ -154,7 +156,7 @@ Departure Scatter(const Roulette& material, std::uint32_t channel, const Scatter
     {
       departure.absorbed = false;
       departure.how = Scattering::GlossyReflection;
-      // Where in its share the number lies is as good as another number.
+      // The position of the number inside its share is a fresh uniform number.
       const auto place = static_cast<double>(bits - shares.specular) /
         static_cast<double>(shares.glossy - shares.specular);
       departure.direction =

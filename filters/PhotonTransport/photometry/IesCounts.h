@@ -12,17 +12,18 @@ struct IesCounts
 {
   std::size_t vertical = 0;
   std::size_t horizontal = 0;
-  double factor = 1.0; ///< Of all intensities.
+  double factor = 1.0; ///< By which all intensities are multiplied.
 };
 
-/// How a file may deviate from the standard without being ambiguous.
+/// Deviations from the standard that can be told from the numbers.
 struct IesReading
 {
   Commas commas = Commas::Separate;
-  bool hasWatts = true;
+  bool hasWatts = true; ///< False: the line ends before the input watts.
 };
 
-/// Reads them, and what the solid keeps of them.
+/// Reads the numbers; the solid gets its type, rated flux, opening and input power. Throws
+/// PhotometricFileError.
 IesCounts ReadIesCounts(
   TextReader& reader, IesEdition edition, const IesReading& reading, PhotometricSolid& solid);
 

@@ -8,13 +8,13 @@
 namespace PhotonTransport
 {
 
-/// What the lines before the numbers say of the number after the ballast factor.
+/// What the number after the ballast factor means, by the edition that the header names.
 enum class IesEdition
 {
-  Unknown,          ///< No line says it, as in files of 1986.
-  WithoutYear,      ///< LM-63 without a year that an edition may have.
-  FactorAfterwards, ///< 1986 and 1991: the ballast-lamp photometric factor.
-  Since1995         ///< Reserved in 1995 and 2002, in 2019 how the file came about; never a factor.
+  Unknown,          ///< No line names an edition, as in files of 1986.
+  WithoutYear,      ///< A line names LM-63 without a year that an edition may have.
+  FactorAfterwards, ///< Before 1995: it is the ballast-lamp photometric factor.
+  Since1995         ///< It is no factor: reserved until 2019, then how the file was made.
 };
 
 /// The lines of an IES file before its numbers.

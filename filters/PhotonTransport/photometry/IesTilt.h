@@ -8,8 +8,9 @@
 namespace PhotonTransport
 {
 
-/// The factor of a luminaire that is not tilted. @param tilt What follows TILT=. @param folder
-/// Where its file is, if it names one.
+/// The factor of a luminaire that is not tilted: 1 for NONE, else the tilt factor at 0 degrees,
+/// from the lines that follow (INCLUDE) or from a file. Throws PhotometricFileError. @param tilt
+/// What follows TILT=. @param folder In which the file is looked for.
 double ReadIesTilt(TextReader& reader, const std::string& tilt, const std::string& folder);
 
 } // namespace PhotonTransport

@@ -23,22 +23,21 @@ public:
 };
 
 // Both readers are strict where light depends on it (counts, rising angles, intensities, units,
-// factors) and lenient elsewhere. What a program has done differently from the standard is read by
-// the first reading for which all numbers that the file announces are there, and no more; what was
-// assumed stands in PhotometricSolid::notes. A file for which there is none is refused.
+// factors) and lenient elsewhere. A file that deviates from the standard is read in several ways,
+// one after the other. The first way counts in which all numbers that the file announces are there,
+// and no more. PhotometricSolid::notes say what was assumed. A file that can be read in no way is
+// refused by a PhotometricFileError, which is that of the standard's way.
 
-/// IESNA LM-63 of 1991, 1995, 2002 and 2019 (and 1986, which has no format line): photometry types
-/// C, B and A with their symmetries, TILT (NONE, INCLUDE, or a file beside it), relative and
-/// absolute. Intensities are the file's times the candela multiplier, the ballast factor, the
-/// ballast-lamp photometric factor (1986 and 1991; later a number without a meaning here) and the
-/// TILT factor at 0 degrees: the factors at other angles are for luminaires that are tilted from
-/// the position in which they were measured, which a file can't know. @param folder Of the file,
-/// for TILT=name.
+/// IESNA LM-63 of 1986, which has no format line, 1991, 1995, 2002 and 2019: photometry types C, B
+/// and A with their symmetries, TILT (NONE, INCLUDE, or a file beside it), relative and absolute
+/// photometry. Intensities are the file's times the candela multiplier, the ballast factor, the
+/// ballast-lamp photometric factor (before 1995) and the TILT factor at 0 degrees. The TILT factors
+/// at other angles are for luminaires that are tilted from the position in which they were
+/// measured; they are not used. @param folder Where the file is, for TILT=name.
 PhotometricSolid ReadIes(std::istream& file, const std::string& folder = {});
 
-/// EULUMDAT (.ldt): symmetries 0 to 4, cd/klm times the flux of the lamps and the conversion
-/// factor. Sets of lamps are alternatives, the first one counts, in whichever of the two orders in
-/// use they are written.
+/// EULUMDAT (.ldt), symmetries 0 to 4. Intensities are the file's, in cd/klm, times the flux of the
+/// first set of lamps in klm and the conversion factor. See EulumdatLamps.
 PhotometricSolid ReadEulumdat(std::istream& file);
 
 /// By the name's extension: .ies, .ldt (or .eul), in any case. Throws std::runtime_error with the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What files of all kinds have in common, and what their light depends on: angles and intensities.
+// Angles and intensities, which files of all kinds have.
 #pragma once
 
 #include "PhotonTransport/photometry/PhotometricSolid.h"
@@ -18,19 +18,20 @@ constexpr std::size_t MostIntensities = 10000000;
 /// Refuses more than MostIntensities.
 void RequireManageable(const TextReader& reader, std::size_t planes, std::size_t angles);
 
-/// Degrees, rising, as many as `count`. @param requireFirst Refuses a first angle that is not
-/// allowed; none: all are.
+/// Reads `count` rising angles, degrees, within [smallest, largest]. Throws PhotometricFileError.
+/// @param requireFirst Throws for a first angle that is not allowed; empty if all are.
 std::vector<double> ReadAngles(TextReader& reader, const char* name, std::size_t count,
   double smallest, double largest, const std::function<void(double)>& requireFirst = {});
 
-/// Intensities, cd, to the last one of the file: finite, >= 0, and one above 0. @param factor On
-/// the file's numbers.
+/// Reads the file's last `count` numbers as intensities, cd: finite, >= 0, and one above 0. Throws
+/// PhotometricFileError. @param factor By which the file's numbers are multiplied.
 std::vector<double> ReadIntensities(
   TextReader& reader, const char* name, std::size_t count, double factor);
 
-/// Notes where the intensities of relative photometry do not make the flux that they should.
-/// @param stated The luminaire's share of the lamps' flux by the file, %; 0: not stated, at most
-/// 100.
+/// Adds a note if the intensities of relative photometry make another flux than the file states, by
+/// more than 1 % of the lamps' flux and more than 5 % of the stated part. @param stated The
+/// luminaire's part of the lamps' flux by the file, %. 0: the file does not say; a note is added
+/// where the part is above 105 %.
 void NoteOnOutputRatio(PhotometricSolid& solid, double stated);
 
 } // namespace PhotonTransport

@@ -27,15 +27,17 @@ struct PhotometricSolid
   };
 
   Type type = Type::C;
-  std::vector<double> polar;   ///< p, degrees, rising, in [0, 180]; two or more.
-  std::vector<double> azimuth; ///< z, degrees, rising, from first to last at most 360, which may
-                               ///< begin below 0 or end above 360; two or more.
+  std::vector<double> polar; ///< p, degrees, rising, in [0, 180]; two or more.
+  /// z, degrees, rising; two or more. They cover at most 360 degrees and may begin below 0 or end
+  /// above 360.
+  std::vector<double> azimuth;
   std::vector<double> candela; ///< [azimuth][polar], finite, >= 0, with all factors of the file.
 
   double ratedFlux = 0.0;  ///< lm of the file's bare lamps together; 0 for absolute photometry.
   double inputPower = 0.0; ///< W; 0 if not given.
-  /// m, of the luminous opening, a diameter where it is round; 0: a point. As the files call them:
-  /// the length lies in the plane of 0 degrees in IES files, of 90 degrees in EULUMDAT.
+  /// Size of the luminous opening, m; a diameter where it is round; 0: a point. Width and length
+  /// are as the file calls them: the length lies in the plane of 0 degrees in IES files and in that
+  /// of 90 degrees in EULUMDAT.
   double width = 0.0, length = 0.0, height = 0.0;
   std::string description; ///< Manufacturer, name and number as far as given, one line, UTF-8.
   /// What the reader of the file assumed, or found odd: one sentence each. None for most files.
@@ -45,11 +47,12 @@ struct PhotometricSolid
 /// The flux of the bilinear solid, integrated exactly, lm.
 double Flux(const PhotometricSolid& solid);
 
-/// cd towards polar angle and azimuth, degrees. The azimuth may be any turns away.
+/// The intensity, cd, towards polar angle and azimuth, degrees. Whole turns may be added to the
+/// azimuth.
 double Intensity(const PhotometricSolid& solid, double polar, double azimuth);
 
-/// The direction of two angles, degrees, for a lamp that aims along a = -z with its x and y along x
-/// and y.
+/// The unit vector to polar angle and azimuth, degrees, for a lamp that aims along a = -z and has
+/// its x and y along +x and +y.
 glm::dvec3 PhotometricDirection(PhotometricSolid::Type type, double polar, double azimuth);
 
 } // namespace PhotonTransport

@@ -16,17 +16,17 @@ struct TextLine
   std::size_t number = 0; ///< In the file, from 1.
 };
 
-/// The text of a file, however a program has stored it.
+/// The text of a file, in whichever encoding it was stored.
 struct PhotometricText
 {
   std::vector<TextLine> lines;
   std::vector<std::string> notes; ///< What was assumed of the file.
 };
 
-/// Reads UTF-8, UTF-16 (with a byte order mark, or without one where every second byte is 0) and,
-/// line by line, Latin-1, which is what bytes that are not UTF-8 are taken for. Lines end with LF,
-/// CR LF or CR, in any mixture, the file with Ctrl-Z at the latest. Tabs and spaces of any width
-/// become blanks; other control characters stay, so that they spoil a number and do not cut it in
+/// Reads UTF-8, UTF-16 and Latin-1. UTF-16 has a byte order mark or a 0 in more than half of all
+/// second bytes. A line that is not UTF-8 is taken for Latin-1. Lines end with LF, CR LF or CR, in
+/// any mixture; the file ends at Ctrl-Z, if there is one. Tabs and spaces of any width become
+/// blanks. Other control characters stay, so that they make a number invalid and do not cut it in
 /// two. NULs at the end of the file are dropped.
 PhotometricText ReadText(std::istream& file);
 
@@ -36,8 +36,8 @@ std::string_view Trimmed(std::string_view text);
 /// Letters a to z in upper case.
 std::string UpperCase(std::string_view text);
 
-/// For messages: the first bytes, at most `length`, without a cut through a character, and "..."
-/// for the rest; blanks for control characters.
+/// For messages: the first bytes, at most `length`, and "..." if there are more. No character is
+/// cut through, and control characters become blanks.
 std::string Shortened(std::string_view text, std::size_t length);
 
 /// Adds a part that is not empty to a list that commas separate.

@@ -6,21 +6,21 @@
 namespace PhotonTransport
 {
 
-/// Adds what is mirrored at the last azimuth.
+/// Adds the mirror image of all planes at the last azimuth.
 void MirrorAtLastAzimuth(PhotometricSolid& solid);
 
-/// Adds what is mirrored at the first azimuth.
+/// Adds the mirror image of all planes at the first azimuth.
 void MirrorAtFirstAzimuth(PhotometricSolid& solid);
 
-/// Adds what is mirrored at the last polar angle, 90 degrees.
+/// Adds the mirror image of all polar angles at the last one, which must be 90 degrees.
 void MirrorAtEquator(PhotometricSolid& solid);
 
-/// Repeats the first plane after a full turn, unless the last one is that already; a single plane
-/// makes a solid of revolution.
+/// Repeats the first plane after a full turn, unless the last plane is there already. A single
+/// plane becomes a solid of revolution.
 void CloseCircle(PhotometricSolid& solid);
 
-/// Whether the gap from the last azimuth to a full turn after the first is one step of many: no
-/// wider than the widest step.
+/// Whether the gap from the last azimuth to a full turn after the first is no wider than the widest
+/// step between the others (up to 1 %, for rounded angles).
 bool GapIsOneStep(const std::vector<double>& azimuth);
 
 } // namespace PhotonTransport

@@ -11,7 +11,8 @@
 namespace PhotonTransport
 {
 
-/// What a number of a file is, for messages: a name, and which of many it is (from 1; 0: the one).
+/// What a number of a file is, for messages: a name, and its number where there are many of that
+/// name (from 1; 0: there is only one).
 struct NumberName
 {
   NumberName(const char* name, std::size_t index = 0)
@@ -23,19 +24,20 @@ struct NumberName
   std::size_t Index;
 };
 
-/// Far beyond any lamp, and any sum of such numbers is finite.
+/// Larger numbers are refused. It is far beyond any lamp, and sums of such numbers are finite.
 constexpr double LargestNumber = 1e30;
 
-/// What a comma between digits is; another comma separates numbers as a blank does.
+/// The meaning of a comma that stands before a digit and behind a digit, a minus or the blanks at
+/// the beginning of a line. Any other comma separates numbers as a blank does.
 enum class Commas
 {
   Separate,
   AreDecimal
 };
 
-/// Reads a photometric file by lines or by numbers. Everything wrong becomes a PhotometricFileError
-/// with the line that was read last. What the light does not depend on is read leniently: it gives
-/// a note where it makes no sense.
+/// Reads a photometric file by lines or by numbers. What is wrong becomes a PhotometricFileError
+/// with the number of the line that was read last. Values that the light does not depend on are
+/// read leniently: a value that makes no sense gives a note.
 class TextReader
 {
 public:
@@ -43,9 +45,9 @@ public:
   TextReader(const PhotometricText& text, Commas commas);
 
   std::size_t LineNumber() const;
-  /// Those of the text first.
+  /// The notes of the text and then those of the reader.
   const std::vector<std::string>& Notes() const { return this->AllNotes; }
-  /// With the number of the line that was read last.
+  /// Adds a note with the number of the line that was read last.
   void Note(const std::string& note);
 
   /// The next line, without blanks at either end; numbers come from later ones. @return False at
@@ -54,27 +56,29 @@ public:
   /// The next line, which must be there.
   std::string TextLine(const char* name);
 
-  /// A number that has the next line for itself.
+  /// The number that fills the next line.
   double NumberLine(const NumberName& name, double smallest, double largest);
-  /// For what light does not depend on: 0 for an empty line, 0 and a note for one that is no
-  /// number or out of range.
+  /// The same for a value that the light does not depend on: 0 for an empty line; 0 and a note for
+  /// a line that is no number or out of range.
   double LenientNumberLine(const char* name, double smallest, double largest);
   std::size_t CountLine(const NumberName& name, std::size_t smallest, std::size_t largest);
 
   /// The next number, on this line or a later one, after blanks or commas.
   double NextNumber(const NumberName& name, double smallest, double largest);
-  /// For what light does not depend on: `otherwise` and a note for a number out of range.
+  /// The same for a value that the light does not depend on: `otherwise` and a note for a number
+  /// that is out of range. Text that is no number is refused.
   double LenientNumber(const char* name, double smallest, double largest, double otherwise);
   std::size_t NextCount(const NumberName& name, std::size_t smallest, std::size_t largest);
-  /// How many numbers follow before the end or the first text that is none.
+  /// How many numbers follow before the end of the file or the first text that is no number.
   std::size_t NumbersAhead() const;
   /// Whether only blanks follow on the line that was read last.
   bool LineIsRead() const;
 
-  /// The value, refused as the one read last unless it is above 0.
+  /// The value, which must be the one read last; refuses it unless it is above 0.
   double Positive(const NumberName& name, double value) const;
 
-  /// Notes text that follows and refuses numbers, which the counts do not announce.
+  /// To be called after the last number that the counts announce: refuses a number that follows,
+  /// and notes text that follows.
   void EndAfter(const char* lastName);
 
   /// "<name> is '<text that was read last>'; <wanted>".
@@ -106,7 +110,7 @@ private:
 /// A number as photometric files have them. @return False for anything else.
 bool ParseNumber(std::string_view text, double& value);
 
-/// As short as it is exact to six digits.
+/// The number with at most six significant digits.
 std::string NumberText(double value);
 
 } // namespace PhotonTransport

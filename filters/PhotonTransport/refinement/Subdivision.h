@@ -26,19 +26,19 @@ struct FacetPart
   }
 };
 
-/// Where barycentric coordinates lie. The products are exact, and on an edge only two of them are
-/// not zero: both facets of an edge get the same bits for a point of it, whatever the order of
-/// their corners.
+/// The point that has these barycentric coordinates. The products are exact, and on an edge only
+/// two of them are not zero. So both facets of an edge get the same bits for a point of it,
+/// whatever the order of their corners.
 glm::vec3 PositionOf(const glm::vec3& barycentric, const std::array<glm::vec3, 3>& corners);
 
 /// Whether the edge between two points is to be halved.
 using HalvesEdge = std::function<bool(const glm::vec3&, const glm::vec3&)>;
 
-/// Divides a facet by halving its edges, the halves' edges and so on: an edge is halved or not by
-/// its own two end points alone, so that the parts of two facets that share an edge meet without a
-/// gap and without a vertex of one inside an edge of the other. Adds no part where no edge is to be
-/// halved.
-/// @param halves Must end: edges get shorter by half each time, and 20 times is the most.
+/// Divides a facet by halving its edges, then the edges of its parts, and so on. Whether an edge is
+/// halved depends on its two end points alone. So the parts of two facets that share an edge meet
+/// without a gap, and no part has a vertex inside an edge of another. Adds no part if no edge of
+/// the facet is halved.
+/// @param halves Asked again for the parts of an edge, 20 times at most.
 void AppendParts(std::uint32_t facet, const std::array<glm::vec3, 3>& corners,
   const HalvesEdge& halves, std::vector<FacetPart>& parts);
 

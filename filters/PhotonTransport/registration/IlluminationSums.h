@@ -25,7 +25,7 @@ inline double FromFixedPoint(FixedPoint sum)
   return static_cast<double>(sum) / double{ FixedPointOne };
 }
 
-/// For weights that may be huge: 12 fraction bits hold 2^31 hits of weight 2^20.
+/// For weights that may be huge: with 12 fraction bits fewer than 2^31 hits of weight 2^20 fit.
 constexpr float CoarseFixedPointOne = 0x1p12f;
 inline FixedPoint ToCoarseFixedPoint(float weight)
 {
@@ -36,8 +36,9 @@ inline double FromCoarseFixedPoint(FixedPoint sum)
   return static_cast<double>(sum) / double{ CoarseFixedPointOne };
 }
 
-/// A vertex's raw illumination map, V_i of the paper times A_i for VertexNormalised, so that
-/// E_i = (flux / N) V_i / A_i holds for every registration.
+/// What one vertex has got: V_i of Barladian, "Indirect illumination on curve surfaces", and for
+/// VertexNormalised that times A_i, so that E_i = (flux / N) V_i / A_i holds for every
+/// registration.
 struct alignas(32) VertexSums
 {
   FixedPoint direct = 0;
@@ -53,7 +54,7 @@ struct alignas(32) VertexSums
   }
 };
 
-/// All that a set of photons leaves behind; sums of disjoint sets add up.
+/// All that is kept of a set of photons. The sums of disjoint sets add up.
 struct IlluminationSums
 {
   IlluminationSums() = default;
@@ -66,8 +67,8 @@ struct IlluminationSums
 
   std::vector<VertexSums> front;
   std::vector<VertexSums> back; ///< Empty unless the back is registered.
-  /// Weight that the bound cut off, summed over vertices and both sides, coarse; times flux / N it
-  /// is in lm.
+  /// Weight that the bound cut off, coarse, over all vertices and the sides that are registered.
+  /// Times flux / N it is in lm.
   FixedPoint cutByWeightBound = 0;
   PhotonBalance balance;
   std::vector<Arrivals> arrivals; ///< By lamp.
@@ -76,8 +77,8 @@ struct IlluminationSums
 /// Adds `part` to `total` and clears it for the next use.
 void MoveInto(IlluminationSums& total, IlluminationSums& part);
 
-/// Parts of the light on the front that are kept apart: by colour, by lamp. Not by replicate, so
-/// without standard errors of their own.
+/// Parts of the light on the front that are kept apart, by colour and by lamp. They are summed over
+/// all replicates, so that they have no standard errors of their own.
 struct LightLayers
 {
   static constexpr std::size_t Channels = 3;

@@ -12,7 +12,7 @@
 namespace PhotonTransport
 {
 
-/// A compensating factor before the bound never exceeds this, so that it stays countable.
+/// A compensating factor never exceeds this, even before the bound, so that fixed point holds it.
 constexpr float LargestFactor = 0x1p20f;
 
 /// How a hit is spread over its facet's vertices. Formula numbers are those of Barladian,
@@ -25,7 +25,8 @@ enum class Registration : int
 };
 
 /// Area that the ring of `v` shows to light arriving from `towards`, over its whole area:
-/// sum (towards . a_f)^+ / sum |a_f|. Only grazing light needs the walk round the ring.
+/// sum (towards . a_f)^+ / sum |a_f|. Only grazing light needs this sum over the ring; otherwise
+/// Vertex::shownArea gives the same.
 inline float ShownArea(const Scene& scene, std::uint32_t v, const glm::vec3& towards)
 {
   float sums[4] = {};
@@ -40,9 +41,9 @@ inline float ShownArea(const Scene& scene, std::uint32_t v, const glm::vec3& tow
   return (sums[0] + sums[1] + sums[2] + sums[3]) * scene.Vertices()[v].inverseThreeAreas;
 }
 
-/// Weights of one hit for the three vertices of its facet, before the bound; each within
-/// [0, LargestFactor] times its barycentric coordinate. @param towards Unit, back along the ray
-/// for a hit on the front; for one on the back its opposite, which is on the front.
+/// Weights of one hit for the three vertices of its facet, before the bound. Each is within
+/// [0, LargestFactor] times its barycentric coordinate. @param towards Unit, on the front of the
+/// facet: back along the ray for a hit on the front, along it for a hit on the back.
 template <Registration Kind>
 glm::vec3 HitWeights(
   const Scene& scene, const Facet& facet, const glm::vec3& barycentric, const glm::vec3& towards)
@@ -102,14 +103,14 @@ glm::vec3 HitWeights(
   }
 }
 
-/// What registration wants to know of a photon's past.
+/// Where a photon comes from, as far as registration needs it.
 struct PhotonOrigin
 {
   std::uint32_t lamp = 0;
   std::uint16_t channel = 0;
-  bool direct = true; ///< From the lamp, through panes at most.
-  bool arrived =
-    false; ///< Counted as such; see Arrivals. Not kept where nothing lets light through.
+  bool direct = true; ///< Straight from the lamp, or through thin panes.
+  /// Whether Arrivals has counted it. Only walks keep this in which facets let light through.
+  bool arrived = false;
 };
 
 /// Adds hits to one thread's sums.
@@ -126,7 +127,7 @@ public:
   {
   }
 
-  /// @param corners Those of the facet that count, as bits.
+  /// @param corners The corners of the facet that count, as bits: 1 << i for corner i.
   void operator()(const Ray& ray, const Hit& hit, bool front, const PhotonOrigin& photon,
     unsigned corners = AllCorners) const
   {

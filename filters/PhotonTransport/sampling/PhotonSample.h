@@ -13,7 +13,7 @@ namespace PhotonTransport
 enum class Sampling : int
 {
   Random = 0, ///< Independent numbers everywhere.
-  Sobol = 1   ///< Owen-scrambled Sobol points for emission and first scattering.
+  Sobol = 1   ///< Owen-scrambled Sobol points for the emission and the first scattering.
 };
 
 /// A number in [0, 1) from the 24 leading bits, which a float holds exactly.
@@ -22,8 +22,8 @@ inline float UnitFloat(std::uint32_t bits)
   return static_cast<float>(bits >> 8) * 0x1p-24f;
 }
 
-/// Which independent sequence of photons: everything that is random is a function of this and of
-/// the photon's index.
+/// Which of the independent sequences of photons. Everything that is random is a function of this
+/// and of the photon's index.
 struct SequenceKey
 {
   std::uint32_t seed = 1;
@@ -44,7 +44,7 @@ inline std::array<std::uint32_t, 4> PhotonRandom(
 /// The numbers that decide one scattering.
 struct ScatteringSample
 {
-  std::uint32_t survival; ///< Compared with reflectance * 2^32.
+  std::uint32_t survival; ///< Compared with shares of 2^32: what the facet does with the photon.
   float u, v;             ///< Direction, each in [0, 1).
 };
 
@@ -76,9 +76,9 @@ public:
   /// Moves on to the photon with the next index.
   void Advance();
 
-  /// Dimension `d` of the emission, in [0, 1): 0 and 1, 2 and 3 are the best stratified pairs.
+  /// Dimension `d` of the emission, in [0, 1). What takes two numbers takes 0 and 1, or 2 and 3.
   float Emission(unsigned d) const { return UnitFloat(this->Leading(d)); }
-  static constexpr unsigned ChoiceDimension = 4;
+  static constexpr unsigned ChoiceDimension = 4; ///< Chooses the lamp, and the facet that shines.
   /// The same as a 32-bit fraction, for choosing among many.
   std::uint32_t EmissionBits(unsigned d) const { return this->Leading(d); }
 

@@ -8,15 +8,16 @@ namespace PhotonTransport
 {
 
 /// Dimensions of the Sobol sequence in use: four for the emission (position, direction), one for
-/// the choice of an emitting facet, three for the first scattering (survival, direction).
+/// the choice of the lamp and of the facet that shines, three for the first scattering (survival,
+/// direction).
 constexpr unsigned SobolDimensions = 8;
 
 /// A point of the Sobol sequence, each coordinate with its bits *reversed* (first binary digit in
 /// the lowest bit), as the scrambling below wants it.
 using SobolPoint = std::array<std::uint32_t, SobolDimensions>;
 
-/// Point number `index` in Gray code order, which visits each block of 2^k points in another order
-/// than the plain sequence but makes the next point cost one exclusive-or a dimension.
+/// Point number `index` in Gray code order. That order visits each block of 2^k points in another
+/// order than the plain sequence does, and the next point costs one exclusive-or in each dimension.
 SobolPoint SobolPointAt(std::uint32_t index);
 
 /// Turns point number `index` into point number `index + 1`.

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-/// Warps of the unit square. Every one starts from the concentric map to the disk, which keeps
-/// well spread points well spread, and lets the squared radius play the part of the uniform number
-/// that decides the polar angle. Only the general spot needs a library function beyond sqrt, so
-/// results are the same to the last bit on every IEEE machine.
+/// Warps of the unit square. All but UniformTriangle start from the concentric map to the disk,
+/// which keeps well spread points well spread; the squared radius then is the uniform number that
+/// decides the polar angle. Only PowerCosineCone with an exponent calls the mathematical library
+/// for more than a square root.
 
 namespace PhotonTransport
 {
@@ -76,7 +76,7 @@ inline glm::vec3 PowerCosineCone(float u, float v, float exponent, float cosMax)
   const float cosine = exponent == 0.0f
     ? 1.0f - r2 * (1.0f - cosMax)
     : std::pow(1.0f - r2 * (1.0f - std::pow(cosMax, exponent + 1.0f)), 1.0f / (exponent + 1.0f));
-  // sin(theta)/r as a quotient of two numbers that vanish together.
+  // sin(theta) / r; both vanish on the axis.
   const float sine2 = (1.0f - cosine) * (1.0f + cosine);
   const float stretch = r2 > 0.0f ? std::sqrt(std::max(0.0f, sine2) / r2) : 0.0f;
   return { stretch * p.x, stretch * p.y, cosine };

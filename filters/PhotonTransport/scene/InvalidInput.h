@@ -15,11 +15,11 @@ class InvalidInput : public std::runtime_error
 public:
   enum class Where
   {
-    Surface, ///< The surface as a whole; Index means nothing.
-    Point,
-    Facet,
-    LampSettings,
-    TraceSettings
+    Surface,      ///< The surface as a whole; Index means nothing.
+    Point,        ///< Index is that of a point of the surface.
+    Facet,        ///< Index is that of a facet of the surface.
+    LampSettings, ///< Index means nothing.
+    TraceSettings ///< Index means nothing.
   };
 
   InvalidInput(Where where, std::size_t index, const std::string& message)

@@ -10,9 +10,10 @@
 namespace PhotonTransport
 {
 
-/// tbb::parallel_for over [first, last) whose threads compute as the caller does. oneTBB's threads
-/// otherwise take over the settings under which oneTBB was first used in the process: where Embree
-/// was the first, they flush small numbers to zero, and a result would depend on who came first.
+/// tbb::parallel_for over [first, last) whose threads have the caller's floating-point settings.
+/// oneTBB's threads otherwise have the settings under which oneTBB was first used in the process.
+/// Where Embree was the first to use it, they flush small numbers to zero, and a result would
+/// depend on who came first.
 template <class Body>
 void ParallelFor(std::uint64_t first, std::uint64_t last, const Body& body)
 {

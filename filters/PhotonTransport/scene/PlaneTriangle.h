@@ -24,14 +24,14 @@ struct PlaneTriangle
   bool turned; ///< Corners are in the order a, c, b.
   glm::vec2 corners[3];
   glm::vec2 low, high; ///< Bounds.
-  float reach;         ///< Largest coordinate of a corner: by it corners are rounded.
+  float reach;         ///< Largest coordinate of a corner; its rounding is relative to this.
 };
 
-/// The axis along which a plane is seen best.
+/// The axis along which a plane with this normal shows the largest part of its area.
 int BestAxis(const glm::vec3& normal);
 
-/// Whether two triangles have more in common than a sliver, which rounding may bring about where
-/// they are neighbours.
+/// Whether two triangles have more in common than a sliver. Neighbours may have a sliver in common
+/// by rounding.
 bool Meet(const PlaneTriangle& one, const PlaneTriangle& other);
 
 /// The convex polygon that two triangles have in common, and its area.
@@ -42,7 +42,8 @@ struct CommonPart
 };
 CommonPart Intersection(const PlaneTriangle& one, const PlaneTriangle& other);
 
-/// Finds the triangles near another one, in time that does not depend on how many there are.
+/// Finds the triangles near another one without looking at all of them: a grid of cells lists the
+/// triangles that touch each cell.
 class TriangleGrid
 {
 public:
@@ -96,7 +97,7 @@ private:
     }
     return false;
   }
-  /// First and last cell along an axis; none outside the grid.
+  /// First and last cell of a range along an axis, within the grid; (0, -1) for a range outside it.
   std::pair<int, int> RangeOf(float low, float high, int axis) const;
   glm::vec2 SpanIn(const PlaneTriangle& triangle, int row) const;
 

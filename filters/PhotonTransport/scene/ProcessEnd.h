@@ -3,10 +3,10 @@
 //
 // A process that ends destroys its static objects library by library, those of the libraries that
 // were loaded last (a plugin, Embree, oneTBB) first. Whoever owns a filter (ParaView's session,
-// Python, a global smart pointer) may be destroyed after that. Embree's locks no longer exist then:
-// to release a scene is an exception out of a destructor, which ends the process with status 134,
-// or a hang. So nothing of theirs is released any more once destruction has begun; the operating
-// system takes the memory back.
+// Python, a global smart pointer) may be destroyed after that. Embree's locks no longer exist then.
+// Releasing a scene then either throws out of a destructor, which ends the process with status 134,
+// or hangs. So nothing of Embree's or oneTBB's is released once destruction has begun; the
+// operating system takes the memory back.
 #pragma once
 
 #include <memory>
@@ -15,12 +15,12 @@
 namespace PhotonTransport
 {
 
-/// Whether the destruction of static objects has reached this library, and Embree's and oneTBB's
-/// are next. Never goes back to false. May be called at any time, from any thread.
+/// Whether the destruction of static objects has reached this library; those of Embree and oneTBB
+/// are destroyed next. Never goes back to false. May be called at any time, from any thread.
 bool ProcessIsEnding();
 
-/// To be called before the first object is made: notices from then on that the process ends.
-/// Throws std::runtime_error if it does already.
+/// To be called before the first object is made: from then on ProcessIsEnding() notices the end.
+/// Throws std::runtime_error if the process is ending already.
 void NoticeProcessEnd();
 
 struct DeleteUnlessProcessEnds

@@ -16,16 +16,16 @@ constexpr unsigned AllCorners = 7;
 /// the light that arrives there, and the last one in the list decides what becomes of it, as if it
 /// lay on top.
 ///
-/// A vertex that belongs to a facet and to a copy of it counts the light and the area once: bits of
-/// AllCorners are the corners of a copy that an earlier facet has counted already. The other bits
-/// say how a facet shares its place.
+/// A vertex that belongs to a facet and to a copy of it counts the light and the area once. For
+/// that the three lowest bits mark the corners of a copy that an earlier facet has counted already.
+/// The other bits say how a facet shares its place.
 enum SharedPlace : std::uint8_t
 {
-  SharesPlace = 1 << 3,
-  IsCopy = 1 << 4,         ///< Of an earlier facet: they have the same three corners.
-  OverlapsInPart = 1 << 5, ///< Is no copy of the other one.
-  UnlikeMaterials = 1 << 6,
-  ShinesToo = 1 << 7 ///< Where another one shines that is no copy.
+  SharesPlace = 1 << 3,     ///< Set wherever one of the bits below is.
+  IsCopy = 1 << 4,          ///< An earlier facet has the same three corners.
+  OverlapsInPart = 1 << 5,  ///< It overlaps a facet that is no copy of it.
+  UnlikeMaterials = 1 << 6, ///< A facet in its place has another material.
+  ShinesToo = 1 << 7        ///< It shines, and so does a facet that it overlaps in part.
 };
 
 /// One of the facets in the place of a hit.
@@ -33,10 +33,10 @@ struct Sharer
 {
   std::uint32_t facet;
   glm::vec3 barycentric;
-  unsigned corners; ///< That count, as bits.
+  unsigned corners; ///< The corners that count, as bits.
 };
 
-/// Facets that share their place in one way, and the two of them that have most in common.
+/// How many facets share their place in one way, and the two of them with the largest common area.
 struct SharedPlaceNote
 {
   std::size_t facets = 0;
@@ -44,7 +44,7 @@ struct SharedPlaceNote
   double squareMetres = 0.0;           ///< What these two have in common.
 };
 
-/// What there is to tell of them.
+/// The notes on all facets that share their place, by the way in which they do.
 struct SharedPlaceNotes
 {
   SharedPlaceNote copies, inPart, unlikeMaterials, shineToo;

@@ -11,15 +11,15 @@
 namespace PhotonTransport
 {
 
-/// Two sheets this close, relative to the reach of a point (Scene::Reach), are in one place: a
-/// ray's distance to them is rounded by as much.
+/// Two sheets are in one place if they are this close, relative to the reach of a point
+/// (Scene::Reach): a ray's distance to a sheet is rounded by as much.
 constexpr float SheetGap = 0x1p-20f;
 
-/// So much more where the sheets' corners are this far out, relative to their largest coordinate:
-/// they are rounded.
+/// Facets that overlap and face the same way may be farther apart by this, relative to the largest
+/// coordinate of their corners: the corners are rounded, too.
 constexpr float CornerGap = 0x1p-23f;
 
-/// Cosine above which two planes that close count as one.
+/// Two planes that close count as one if the cosine between their normals is above this.
 constexpr float SameSheet = 0.999f;
 
 /// A facet's plane: any of its points, and its unit normal.
@@ -27,7 +27,8 @@ struct FacetPlane
 {
   glm::vec3 point;
   glm::vec3 normal;
-  /// By how much rounding of the facet's corners may move the plane's point nearest to the origin.
+  /// By how much the rounding of the facet's corners may move that point of the plane which is
+  /// nearest to the origin.
   float uncertainty = SheetGap;
 };
 
@@ -46,8 +47,9 @@ struct PlaneMember
   }
 };
 
-/// Groups of two facets or more, one after the other, facets in ascending order. Facets whose
-/// planes are one up to rounding are together in at least one group; a group also holds others.
+/// Groups of two facets or more, one after the other, the facets of each in ascending order. Facets
+/// whose planes are the same up to rounding are together in at least one group. A group may also
+/// hold facets of other planes.
 std::vector<PlaneMember> SharedPlanes(const std::vector<FacetPlane>& planes);
 
 /// Calls f(first, last) for each group.

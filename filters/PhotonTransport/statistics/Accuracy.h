@@ -13,7 +13,7 @@ namespace PhotonTransport
 struct Accuracy
 {
   std::uint64_t photons = 0;
-  double seconds = 0.0;
+  double seconds = 0.0; ///< Of tracing and of measuring the error.
   /// Area-weighted root mean square of the standard error over the area-weighted mean illuminance;
   /// the stop rule's measure. 1 in the dark.
   double relativeError = 0.0;
@@ -21,7 +21,8 @@ struct Accuracy
   double medianRelativeError = 0.0;
   double percentile95RelativeError = 0.0;
   double segmentsPerSecond = 0.0;
-  /// Until the target is reached, counted from the start; 0 without a target.
+  /// What the run will have taken, counted from its start, when the target is reached; 0 without a
+  /// target.
   double predictedPhotons = 0.0;
   double predictedSeconds = 0.0;
 };

@@ -6,15 +6,14 @@
 namespace PhotonTransport
 {
 
-/// Where the photons of a lamp first arrived, each counted once. Fronts are where light registers;
-/// a back stops light unless its material lets light through (a lamp shade, a pane, the inside of a
-/// glass body): there a photon is still on its way. So, exactly and for any scene,
+/// Where the photons of a lamp first arrived, each counted once. A photon arrives on a front, where
+/// it registers, or on a back that lets no light through. A back whose material lets light through
+/// (a lamp shade, a pane, the inside of a glass body) is not counted: there a photon is still on
+/// its way. So, exactly and for any scene,
 ///
-///   emitted = front + back + escaped + absorbed + cutOff,
+///   emitted = front + back + escaped + absorbed + cutOff.
 ///
-/// which says how much of the light began its life in the scene where it can be seen. What becomes
-/// of it afterwards is PhotonBalance's: emitted = absorbed + escaped + cutOff, by the photons'
-/// ends.
+/// PhotonBalance counts how the photons end: emitted = absorbed + escaped + cutOff.
 struct Arrivals
 {
   std::uint64_t front = 0;    ///< On a front, where it registered.

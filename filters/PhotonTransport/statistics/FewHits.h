@@ -8,28 +8,30 @@
 namespace PhotonTransport
 {
 
-/// The standard error of a sum of few hits, where the spread of replicates says little: it is 0
-/// where nothing came, and of one or two hits it hardly knows more than how near to the vertex they
+/// The standard error of a sum of few hits. The spread of replicates says little there: it is 0
+/// where no hit came, and for one or two hits it depends mostly on how near to the vertex they
 /// fell.
 ///
-/// How many hits are due, their number n tells, if every number was as likely before (the posterior
-/// of a Poisson process): their variance is n + 1, and for 3 standard errors to hold what 3
-/// standard errors of 8 replicates do, 98 %, it takes n + 2. A hit adds its barycentric coordinate
-/// times a compensating factor; hits spread over a facet have a mean square coordinate of 1/6 for a
-/// mean of 1/3, which is where MeanSquare comes from.
+/// The number n of hits tells how many are to be expected. If every expected number was equally
+/// likely before, it has the variance n + 1 (the posterior of a Poisson process). Here n + 2 is
+/// used, so that 3 standard errors hold the true value as often as those of 8 replicates do, 98 %.
+/// A hit adds its barycentric coordinate times a compensating factor. The coordinates of hits that
+/// are spread over a facet have the mean 1/3 and the mean square 1/6, which gives MeanSquare.
 class FewHits
 {
 public:
-  /// @param meanWeight Of a hit, over all vertices; 1/3 without compensation.
-  /// @param replicates Whether there are some that can tell; or else hits have to do.
+  /// @param meanWeight The mean weight of a hit, over all vertices; 1/3 without compensation.
+  /// @param replicates Whether there are replicates that tell a spread. If not, the number of hits
+  /// counts in full, however many there are.
   FewHits(double meanWeight, bool replicates)
     : MeanSquareWeight(MeanSquare * meanWeight * meanWeight)
     , Replicates(replicates)
   {
   }
 
-  /// Of the sum of weights. @param spread What replicates say: from 30 hits on that is all, below
-  /// it counts if it is more.
+  /// The standard error of the sum of weights: the spread of the replicates, but at least what the
+  /// number of hits says. That counts in full up to 9 hits, less and less beyond, and not at all
+  /// from 30 on. @param spread The standard error by the replicates.
   double StandardError(double spread, std::uint64_t hits) const
   {
     const auto n = static_cast<double>(hits);
@@ -38,7 +40,7 @@ public:
   }
 
 private:
-  static constexpr double MeanSquare = 1.5; ///< Over the squared mean.
+  static constexpr double MeanSquare = 1.5; ///< Of the coordinates, over their squared mean.
   static constexpr double Prior = 2.0;      ///< Hits.
   static constexpr double Few = 9.0;        ///< Up to so many count in full.
   static constexpr double Many = 30.0;

@@ -7,8 +7,9 @@
 namespace PhotonTransport
 {
 
-/// An illumination map as four independent estimates, means over a quarter of the replicates each:
-/// their differences tell how its noise is correlated, which filtration needs to know.
+/// An illumination map as four independent estimates, each the mean over a quarter of the
+/// replicates. Their differences tell how the noise of the map is correlated, which filtration
+/// needs to know.
 constexpr std::size_t Groups = 4;
 using GroupValues = std::array<double, Groups>;
 

@@ -13,11 +13,12 @@ namespace PhotonTransport
 struct PhotonBalance
 {
   std::uint64_t emitted = 0;
-  std::uint64_t absorbed = 0; ///< Ended by Russian roulette at a surface.
+  std::uint64_t absorbed = 0; ///< Ended at a surface.
   std::uint64_t escaped = 0;  ///< Left the scene without a further hit.
-  std::uint64_t cutOff = 0;   ///< Would have gone on, but for the path length limit or a switch.
+  std::uint64_t cutOff = 0;   ///< Ended by the path length limit or by an effect switched off.
   std::uint64_t segments = 0; ///< Rays traced.
-  /// Part of cutOff: what effects that are switched off would have carried, by Scattering.
+  /// [Scattering] Part of cutOff: photons that an effect which is switched off would have carried
+  /// on.
   std::array<std::uint64_t, Scatterings> switchedOff{};
 
   PhotonBalance& operator+=(const PhotonBalance& other)

@@ -6,9 +6,9 @@
 namespace PhotonTransport
 {
 
-/// Pooled mean of independent replicates and its standard error. A replicate may weigh more than
-/// another (photons traced): the mean is that of all photons. West, "Updating Mean and Variance
-/// Estimates: An Improved Method", 1979: no difference of large sums.
+/// Mean of independent replicates and its standard error. A replicate weighs as many photons as it
+/// has traced, so that the mean is that of all photons. The updates are those of West, "Updating
+/// Mean and Variance Estimates: An Improved Method", 1979, which take no difference of large sums.
 class ReplicateStatistics
 {
 public:

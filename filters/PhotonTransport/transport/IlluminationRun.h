@@ -17,15 +17,15 @@ namespace PhotonTransport
 /// When a run is over: the first rule reached wins.
 struct StopRules
 {
-  /// At least so many photons (each replicate gets whole blocks of 256); [1, 1e10].
+  /// Photons to stop at, [1, 1e10], rounded up: each replicate gets whole blocks of 256.
   std::uint64_t photons = 1'000'000;
   double relativeError = 0.0; ///< See Accuracy::relativeError; 0 is no target.
   double seconds = 0.0;       ///< Of tracing; 0 is no limit.
 };
 
-/// A run towards a relative error ends when so many photons have come and none has registered: with
-/// 95 % confidence less than 3 in so many photons would, which no target can be met by. Rather than
-/// up to 10^10 photons, that takes a second.
+/// A run towards a relative error ends when it has traced so many photons and none of them has
+/// registered on a front. With 95 % confidence less than 3 in so many photons do, and no target can
+/// be met with so few. Without this rule the run would go on to StopRules::photons.
 constexpr std::uint64_t MostPhotonsInTheDark = 1u << 20;
 
 /// Throws InvalidInput that names the rule.
@@ -37,30 +37,31 @@ enum class StopReason : int
   RelativeError,
   TimeLimit,
   Abort,
-  SumsFull,  ///< Some vertex has as many hits as its sum can hold with certainty.
+  SumsFull,  ///< Another round might overflow the sum of some vertex: ReplicateSums::AreFull.
   NothingLit ///< There is a target, and of MostPhotonsInTheDark none has registered.
 };
 
 struct RunProgress
 {
-  double fraction;    ///< [0, 1], of the rule that will end the run first; never falls.
-  double secondsLeft; ///< As far as can be told.
+  double fraction;    ///< [0, 1], of the rule that is nearest to its end; never falls.
+  double secondsLeft; ///< An estimate, from the fraction and the seconds so far.
 };
 
 /// Called now and then from the thread that called Advance; returns false to abort.
 using ProgressMonitor = std::function<bool(const RunProgress&)>;
 
-/// Traces a map in rounds, round by round over all replicates, and can go on where it stopped.
-/// The result is a function of the number of photons: running to N and on to 2N gives the bits of
-/// running to 2N at once.
+/// Traces a map in rounds, each over all replicates, and can go on where it stopped. The result is
+/// a function of the number of photons: running to N and on to 2N gives the bits of running to 2N
+/// at once.
 class IlluminationRun
 {
 public:
-  /// See PhotonTracer. @param scene Must outlive the run.
+  /// Throws InvalidInput as PhotonTracer does. @param scene Must outlive the run.
   IlluminationRun(const Scene& scene, const Lighting& lighting, const TraceSettings& settings);
 
-  /// Traces until a rule ends it, counting what was traced before. However it ends, there is a
-  /// valid map. The time limit is looked at between slices of the work, an abort within them.
+  /// Traces until a rule ends the run; what earlier calls have traced counts, too. However it ends,
+  /// there is a valid map. The time limit is checked between slices of the work, an abort within
+  /// them. Throws InvalidInput for rules out of range.
   StopReason Advance(const StopRules& rules, const ProgressMonitor& monitor = {});
 
   /// False once an abort has left gaps in the sequences: the map is valid, but going on would not
@@ -71,17 +72,17 @@ public:
   /// Only if the settings ask for the back to be registered.
   IlluminationMap Back() const { return this->MapOf(&IlluminationSums::back); }
 
-  /// The front as four estimates whose mean is Front(); empty where an end came so soon that not
-  /// all four have photons, or with fewer than four replicates.
+  /// The front as four estimates whose mean is Front(). Empty if the run ended so soon that not all
+  /// four have photons, or if there are fewer than four replicates.
   GroupMeans FrontByGroups() const
   {
     return this->Sums.FrontByGroups(this->Flux(), this->Surroundings.VertexAreas());
   }
 
-  /// The front's light by colour, lx: [vertex], a light's three channels being equal where it is
-  /// white; by LuminousWeights they make up Front(). Empty where the scene calls for no colour.
+  /// [vertex] The light on the front by colour, lx. White light has three equal channels; the sum
+  /// weighted by LuminousWeights is that of Front(). Empty where the scene calls for no colour.
   std::vector<std::array<double, 3>> FrontByColour() const;
-  /// The front's light from one luminaire, lx. Only if the settings ask for lamps apart.
+  /// [vertex] The light on the front from one luminaire, lx; 0 unless TraceSettings::lampsApart.
   std::vector<double> FrontOfLamp(std::size_t lamp) const;
 
   PhotonBalance Balance() const { return this->Sums.Balance(); }
@@ -95,12 +96,12 @@ public:
   double Flux() const { return this->Tracer.Flux(); }
   double FluxOf(std::uint64_t photons) const; ///< lm that so many photons stand for.
   double FluxCutByWeightBound() const;        ///< lm
-  /// What an effect that is switched off would have carried on, lm.
+  /// The flux that an effect which is switched off would have carried on, lm.
   double FluxSwitchedOff(Scattering scattering) const;
   double Seconds() const { return this->SecondsTraced; }
   const Effects& EffectsInUse() const { return this->Tracer.EffectsInUse(); }
 
-  /// One row a round, the last one for the map as it is.
+  /// One row for each round; the last one is of the map as it is.
   const std::vector<Accuracy>& Rounds() const { return this->Rows; }
 
 private:

@@ -13,20 +13,21 @@ namespace PhotonTransport
 {
 
 /// Bytes that a Surface, its Scene, an IlluminationRun and the maps it gives take together at most,
-/// told before any of it is allocated. Counts what grows with the surface; a few MiB that every
-/// process takes are not in it.
+/// worked out from the Surface before the rest is allocated. This counts what grows with the
+/// surface, and not the few MiB that every process takes.
 std::uint64_t MemoryNeed(
   const Surface& surface, const Lighting& lighting, const TraceSettings& settings);
 
-/// Bytes more for each vertex where group means are asked for: as the core makes them, by point,
-/// and as arrays.
+/// Bytes more for each vertex if group means are asked for. They are there three times: as the core
+/// makes them, by point, and as arrays.
 constexpr std::uint64_t GroupMeansPerVertex = 3 * 2 * sizeof(GroupValues);
 
-/// Bytes that this process could still take without being killed or swapped out, as Linux and its
-/// control groups tell; nothing on other systems.
+/// Bytes that this process can still take without being killed or swapped out, by what Linux and
+/// its control groups say; nothing on other systems.
 std::optional<std::uint64_t> AvailableMemory();
 
-/// Throws InvalidInput that says need and limit. @param limit Bytes; 0 is AvailableMemory().
+/// Throws InvalidInput that names both numbers if the need is above the limit. @param limit Bytes;
+/// 0 is AvailableMemory(), or no limit where that is not known.
 void RequireMemory(std::uint64_t need, std::uint64_t limit);
 
 } // namespace PhotonTransport

@@ -82,8 +82,8 @@ BlockTracer Choose(Registration registration, Walk way, bool backSide)
   return Choose<Registration::VertexNormalised>(way, backSide);
 }
 
-/// What has to be compiled in for a scene. A facet's share of an effect that is switched off still
-/// decides how many photons end.
+/// The walk that a scene needs. Effects that are switched off count, too: the walk must still find
+/// the photons that would have taken that way, and end them.
 Walk WalkFor(const Effects& effects, const TraceSettings& settings)
 {
   if (settings.mostGeneralWalk)
@@ -104,7 +104,7 @@ Walk WalkFor(const Effects& effects, const TraceSettings& settings)
   return effects.colouredFacets ? Walk::Coloured : Walk::Diffuse;
 }
 
-/// A roulette for each material, or where there are none for each reflectance.
+/// A roulette for each material, or, where there are no materials, for each reflectance.
 FacetRoulettes MakeRoulettes(const Scene& scene, Walk way, bool colour)
 {
   FacetRoulettes made;

@@ -18,20 +18,21 @@
 namespace PhotonTransport
 {
 
-/// Called now and then from the thread that called Trace, with the blocks that this call has traced
-/// so far; returns false to stop.
+/// Called now and then from the thread that called Trace, with the number of blocks that this call
+/// has traced so far. Returns false to stop.
 using Monitor = std::function<bool(std::uint64_t blocksDone)>;
 
-/// Photons are traced in blocks that are the same in every run, whoever traces them; small enough
-/// that a stop is prompt even where nothing absorbs.
+/// Photons are traced in blocks of so many, which are the same in every run, whichever thread
+/// traces them. They are so small that a run stops promptly even where nothing absorbs.
 constexpr std::uint64_t PhotonBlock = 256;
 
 /// Traces blocks of photons into sums, on several threads. The sums are a function of the blocks
-/// alone: same bits for any number of threads and any division of a range.
+/// alone: they have the same bits for any number of threads and any division of a range.
 class PhotonTracer
 {
 public:
-  /// Throws InvalidInput for settings or a lamp that make no sense.
+  /// Throws InvalidInput for settings or a lamp that make no sense, and for a luminous flux whose
+  /// illuminances would leave the range of a double.
   /// @param scene Must outlive the tracer.
   PhotonTracer(const Scene& scene, const Lighting& lighting, const TraceSettings& settings);
   ~PhotonTracer();
@@ -48,8 +49,8 @@ public:
   double Flux() const { return this->Source.Flux(); }
   const Effects& EffectsInUse() const { return this->Answer; }
 
-  /// The corners of a facet on whose back light of a lamp first arrives, for example; nothing if
-  /// there is hardly such light. See Arrivals.
+  /// The corners of one facet on whose back light of a lamp first arrives, as an example for
+  /// messages. Nothing if none of the first 65536 photons meets such a facet first.
   std::optional<glm::uvec3> CornersLitFromBehind(std::uint32_t lamp) const;
 
 private:

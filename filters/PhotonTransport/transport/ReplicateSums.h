@@ -19,13 +19,13 @@ struct ReplicateSums
   std::vector<IlluminationSums> replicates;
 
   PhotonBalance Balance() const;
-  /// [lamp]
+  /// [lamp] Summed over the replicates.
   std::vector<Arrivals> ArrivalsByLamp() const;
-  /// Weight that the bound cut off; times flux / photons it is in lm.
+  /// Weight that the bound cut off. Times flux / photons it is in lm.
   double CutByWeightBound() const;
 
-  /// E_i = (flux / N) V_i / A_i and its standard error: that of the replicates, or where a vertex
-  /// has few hits by FewHits. @param flux lm. @param areas [vertex] m^2.
+  /// E_i = (flux / N) V_i / A_i and its standard error, which is that of the replicates or, where a
+  /// vertex has few hits, that of FewHits. @param flux lm. @param areas [vertex] m^2.
   IlluminationMap Map(Side side, double flux, const std::vector<double>& areas) const;
 
   /// See IlluminationRun::FrontByGroups.
@@ -34,8 +34,8 @@ struct ReplicateSums
   /// Whether anything has registered on that side.
   bool AnyLight(Side side) const;
 
-  /// Whether a vertex's sum over all replicates fills a quarter of its range: three times the
-  /// photons could take it beyond.
+  /// Whether some vertex's sum over all replicates fills a quarter of its range. Below that, three
+  /// times as many photons can't overflow it, and a round at most triples them.
   bool AreFull() const;
 
   /// Whether two replicates or more have photons, so that they can tell a spread.

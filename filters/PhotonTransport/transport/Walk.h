@@ -18,7 +18,7 @@
 namespace PhotonTransport
 {
 
-/// What photons do at facets, as far as it is compiled in.
+/// What the walk that is compiled lets photons do at facets.
 enum class Walk
 {
   Ends,         ///< Every photon ends where it first arrives.
@@ -26,7 +26,7 @@ enum class Walk
   Coloured,     ///< Facets reflect diffusely, by channel.
   Reflecting,   ///< Facets reflect in every way.
   Transmitting, ///< Facets reflect diffusely and let light through.
-  General       ///< All of it.
+  General       ///< Facets do all of this.
 };
 
 constexpr ScatteringSet CompiledIn(Walk kind)
@@ -47,7 +47,8 @@ constexpr ScatteringSet CompiledIn(Walk kind)
   }
 }
 
-/// Materials as the walk wants them, by facet; empty where facets only reflect diffusely.
+/// Materials in the form that the walk needs, by facet. Empty for Walk::Ends and Walk::Diffuse,
+/// which need none.
 struct FacetRoulettes
 {
   std::vector<Roulette> roulettes;
@@ -62,10 +63,10 @@ struct WalkSettings
   const Emitter& source;
   SequenceKey key;
   std::uint32_t longestPath; ///< Segments, >= 1.
-  ScatteringSet switchedOn;  ///< What may be simulated.
+  ScatteringSet switchedOn;  ///< Effects that are simulated.
 };
 
-/// A photon of unit energy on its way; its ray is kept apart, with those of the others.
+/// A photon of unit energy on its way. The rays of all photons are kept in an array of their own.
 struct Flight
 {
   ScatteringNumbers numbers;
@@ -104,8 +105,8 @@ constexpr bool LetsLightThrough(Walk kind)
   return (CompiledIn(kind) & Transmissions) != 0;
 }
 
-/// Counts by where it has come to a photon that had not arrived before; see Arrivals.
-/// @return Whether it has now: backs of panes and shades let it pass.
+/// Counts a photon that had not arrived before by the side that it has met; see Arrivals.
+/// @return Whether it has arrived: on the back of a facet that lets light through it has not.
 template <Walk Kind>
 bool CountArrival(const Hit& hit, bool front, const WalkSettings& settings, Arrivals& arrivals)
 {
@@ -120,8 +121,9 @@ bool CountArrival(const Hit& hit, bool front, const WalkSettings& settings, Arri
   return true;
 }
 
-/// Registers a photon on all facets in the place where it arrives; moves the hit to the one that
-/// decides what becomes of it. Not inlined: it is rare, and what is hot must stay small.
+/// Registers a photon on all facets in the place where it arrives, and moves the hit to the facet
+/// that decides what becomes of it. It is not inlined, since it is rare and the hot code must stay
+/// small.
 template <class OnHit>
 [[gnu::noinline]] void RegisterOnAll(const Scene& scene, const Ray& ray, Hit& hit, bool front,
   const PhotonOrigin& origin, const OnHit& onHit)
@@ -139,8 +141,9 @@ template <class OnHit>
 
 /// What happens to a photon at the end of a segment.
 /// @param ray The segment; the next one if the photon goes on.
-/// @param hit Its end; moved to the right one of two facets in the same place.
-/// @param onHit Called as onHit(ray, hit, front, photon.origin, corners), all corners by default.
+/// @param hit Its end; moved to another facet where that one lies in the same place and counts.
+/// @param onHit Called as onHit(ray, hit, front, photon.origin, corners); without `corners` all
+/// corners of the facet count.
 /// @param arrivals By lamp.
 /// @return Whether it goes on.
 template <Walk Kind, class OnHit>
@@ -177,7 +180,7 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
       photon.origin.arrived = !underWay;
     }
   }
-  // Only walks that let light through have photons under way beyond here.
+  // Beyond here only walks that let light through have photons that have not arrived.
   [[maybe_unused]] const auto countEnd = [&](std::uint64_t Arrivals::*end)
   {
     if (LetsLightThrough(Kind) && underWay)
@@ -214,7 +217,7 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
       return false;
     }
     photon.origin.direct = photon.origin.direct && departure.undeflected;
-    // The path stays on the facets, which conserves photons; only registration is compensated.
+    // The path stays on the flat facets, which conserves photons. Only registration is compensated.
     ray.origin = settings.scene.SafeOrigin(hit, front == departure.sameSide);
     ray.direction = departure.direction;
     return true;
@@ -223,8 +226,8 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
 
 /// Follows photons [first, last) of a sequence from emission to end.
 ///
-/// Many at a time, for two reasons: Embree takes rays in packets, and the memory that one photon
-/// waits for arrives while others are being traced. Sums do not depend on the order.
+/// They are followed many at a time, for two reasons: Embree takes rays in packets, and the memory
+/// that one photon waits for arrives while others are traced. Sums do not depend on the order.
 /// @param arrivals By lamp.
 template <Walk Kind, class OnHit>
 void WalkPhotons(const WalkSettings& settings, std::uint64_t first, std::uint64_t last,
