@@ -149,7 +149,7 @@ void ExpectErrorsTold(const Light& light, const std::vector<int>& budgets)
 
 TEST(FiltrationEdges, TellsTheErrorBesideThem)
 {
-  ExpectErrorsTold(PlateShadow, { 5'000, 20'000, 100'000, 500'000 });
+  ExpectErrorsTold(PlateShadow, { 3'000, 20'000, 100'000, 500'000 });
   ExpectErrorsTold(ContactShadow, { 5'000, 20'000, 100'000, 500'000 });
   // Its middle has 0.1 photons a vertex at 20,000 photons. With fewer nothing tells it from chance.
   ExpectErrorsTold(Crease, { 20'000, 100'000, 500'000 });

@@ -14,10 +14,10 @@ namespace
 /// Bias over slope and over curvature, as measured in the rows beside the shadows of plates, at the
 /// feet of boxes and in dim creases. Each alone finds them; gentle light has one without the other.
 constexpr double BiasOfSlope = 0.65;
-constexpr double BiasOfCurvature = 5.0;
-/// Share of the noise variance of the map that the squared bias reaches: RelativeRisk admits no
-/// width that does much worse than that noise.
-constexpr double MostOfNoise = 0.7;
+constexpr double BiasOfCurvature = 3.5;
+/// Share of the noise variance of the map that the squared bias reaches. Larger biases stand out of
+/// the noise: RelativeRisk does not admit them, and Stein's estimate shows what is left of them.
+constexpr double MostOfNoise = 0.3;
 /// In vertex distances. A kernel narrower than one is a blend with the map itself, which has no
 /// bias. The wider the kernel, the gentler is the light that it was chosen for.
 constexpr double LeastWidth = 1.0;
