@@ -13,6 +13,17 @@ def finished_tests(folder):
                 yield test.get("classname"), test.get("name"), properties
 
 
+def put_result(folder, suite, test, protects, measured):
+    """Leaves the result of a test that is no GoogleTest where finished_tests finds it."""
+    suites = ElementTree.Element("testsuites")
+    case = ElementTree.SubElement(suites, "testcase", name=test, classname=suite, status="run")
+    properties = ElementTree.SubElement(case, "properties")
+    for name, value in (("protects", protects), ("measured", measured)):
+        ElementTree.SubElement(properties, "property", name=name, value=value)
+    folder.mkdir(parents=True, exist_ok=True)
+    ElementTree.ElementTree(suites).write(folder / f"{suite}.{test}.xml")
+
+
 def put_table(page, name, lines):
     """Puts lines between the marks of a table in a page, if they are new."""
     begin, end = f"<!-- {name} from here -->", "<!-- to here -->"

@@ -13,6 +13,15 @@ using namespace PhotometryVariants;
 namespace
 {
 
+class PhotometricRobustness : public FileTest
+{
+protected:
+  PhotometricRobustness()
+    : FileTest("cut and spoiled files: a crash, or other light without a word")
+  {
+  }
+};
+
 struct Base
 {
   Read read;
@@ -111,6 +120,8 @@ void ExpectSameOrTold(int cases, Change change)
   }
   EXPECT_GT(read, 0); // both happen, or it were no test
   EXPECT_GT(refused, cases);
+  FileTest::NumberRead += read;
+  FileTest::NumberRefused += refused;
 }
 
 /// The place of the last number: a number that is cut is a number.
@@ -122,7 +133,7 @@ std::size_t LastNumber(const std::string& text)
 
 } // namespace
 
-TEST(PhotometricRobustness, CutFiles)
+TEST_F(PhotometricRobustness, CutFiles)
 {
   ExpectSameOrTold(300,
     [](const std::string& text, Random& random)
@@ -134,7 +145,7 @@ TEST(PhotometricRobustness, CutFiles)
     });
 }
 
-TEST(PhotometricRobustness, SpoiledBytes)
+TEST_F(PhotometricRobustness, SpoiledBytes)
 {
   // Bytes of which numbers are made could make another number, which nobody can tell.
   const std::string bytes("xXnN@#?:;[]=\x01\x7F\xFF\xC3\0", 18);
@@ -149,7 +160,7 @@ TEST(PhotometricRobustness, SpoiledBytes)
     });
 }
 
-TEST(PhotometricRobustness, InsertedBlanks)
+TEST_F(PhotometricRobustness, InsertedBlanks)
 {
   const std::vector<std::string> blanks{ " ", "  ", "\t", "\xA0", "\xC2\xA0", "\xE3\x80\x80", "\n",
     "\n\n", "\r", "\r\n", "\f" };
@@ -158,7 +169,7 @@ TEST(PhotometricRobustness, InsertedBlanks)
     { return text.insert(random.Below(text.size() + 1), random.OneOf(blanks)); });
 }
 
-TEST(PhotometricRobustness, LostLineEnds)
+TEST_F(PhotometricRobustness, LostLineEnds)
 {
   ExpectSameOrTold(300,
     [](std::string text, Random& random)
@@ -168,7 +179,7 @@ TEST(PhotometricRobustness, LostLineEnds)
     });
 }
 
-TEST(PhotometricRobustness, LineEndsOfEveryKindLeaveTheLight)
+TEST_F(PhotometricRobustness, LineEndsOfEveryKindLeaveTheLight)
 {
   const std::vector<std::string> ends{ "\n", "\r\n", "\r\r\n" };
   Random random;
@@ -185,13 +196,14 @@ TEST(PhotometricRobustness, LineEndsOfEveryKindLeaveTheLight)
         text += c == '\r' ? "" : c != '\n' ? std::string(1, c) : isMixed ? random.OneOf(ends) : one;
       }
       EXPECT_NEAR(Flux(base.read(text)), flux, Tolerance * flux) << text;
+      ++FileTest::NumberRead;
     }
     EXPECT_NEAR(
       Flux(base.read(Replaced(Replaced(base.text, "\r", ""), "\n", "\r"))), flux, Tolerance * flux);
   }
 }
 
-TEST(PhotometricRobustness, AnyBytesInUtf16GiveASolidOrTheError)
+TEST_F(PhotometricRobustness, AnyBytesInUtf16GiveASolidOrTheError)
 {
   Random random;
   for (const Base& base : Bases())
@@ -207,10 +219,12 @@ TEST(PhotometricRobustness, AnyBytesInUtf16GiveASolidOrTheError)
       try
       {
         EXPECT_GT(Flux(base.read(text)), 0.0);
+        ++FileTest::NumberRead;
       }
       catch (const PhotometricFileError& error)
       {
         EXPECT_GE(error.Line, 1u);
+        ++FileTest::NumberRefused;
       }
     }
   }

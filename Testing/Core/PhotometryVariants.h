@@ -5,6 +5,8 @@
 
 #include "PhotometryTools.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -107,5 +109,34 @@ inline std::string Replaced(std::string text, const std::string& what, const std
   }
   return text;
 }
+
+/// Tells the table in Testing/README.md what became of a test's files.
+class FileTest : public ::testing::Test
+{
+public:
+  /// @param protects What the tests protect against.
+  explicit FileTest(const char* protects)
+    : Protects(protects)
+  {
+    NumberRead = NumberRefused = 0;
+  }
+
+  static inline int NumberRead = 0;
+  static inline int NumberRefused = 0;
+
+protected:
+  void TearDown() override
+  {
+    this->RecordProperty("protects", this->Protects);
+    const auto part = [](int number, const char* what)
+    { return number > 0 ? std::to_string(number) + what : std::string(); };
+    this->RecordProperty("measured",
+      part(NumberRead, " read") + (NumberRead > 0 && NumberRefused > 0 ? ", " : "") +
+        part(NumberRefused, " refused"));
+  }
+
+private:
+  std::string Protects;
+};
 
 } // namespace PhotometryVariants

@@ -10,6 +10,15 @@ using namespace PhotometryVariants;
 namespace
 {
 
+class PhotometricVariants : public FileTest
+{
+protected:
+  PhotometricVariants()
+    : FileTest("files that leave their standard as programs do: refused, or read with other light")
+  {
+  }
+};
+
 constexpr double Rounding = 1e-9;
 
 std::string AllNotes(const PhotometricSolid& solid)
@@ -30,6 +39,7 @@ void ExpectFlux(Read read, const std::string& text, double factor, const std::st
   try
   {
     const PhotometricSolid solid = read(text);
+    ++FileTest::NumberRead;
     const double expected = ExpectedFlux(factor);
     EXPECT_NEAR(Flux(solid), expected, Rounding * expected);
     const std::string notes = AllNotes(solid);
@@ -51,6 +61,7 @@ void ExpectRefused(Read read, const std::string& text, const std::string& messag
   }
   catch (const PhotometricFileError& error)
   {
+    ++FileTest::NumberRefused;
     EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
   }
 }
@@ -64,7 +75,7 @@ std::string With(std::vector<std::string> lines, std::size_t line, const std::st
 
 } // namespace
 
-TEST(PhotometricVariants, TheNumberAfterTheBallastFactorIsNoFactorSince1995)
+TEST_F(PhotometricVariants, TheNumberAfterTheBallastFactorIsNoFactorSince1995)
 {
   for (const char* header :
     { "IESNA:LM-63-2002", "IESNA: LM-63-2002", "IESNA LM-63-2002", "IESNA:LM-63-1995",
@@ -81,7 +92,7 @@ TEST(PhotometricVariants, TheNumberAfterTheBallastFactorIsNoFactorSince1995)
   }
 }
 
-TEST(PhotometricVariants, TheNumberAfterTheBallastFactorIsAFactorUntil1991)
+TEST_F(PhotometricVariants, TheNumberAfterTheBallastFactorIsAFactorUntil1991)
 {
   for (const char* header : { "IESNA91", "IESNA86", "iesna91", " IESNA91 ", "IESNA:LM-63-1991",
          "IESNA LM-63-1986", "IESNA 1991", "\nIESNA91" })
@@ -92,7 +103,7 @@ TEST(PhotometricVariants, TheNumberAfterTheBallastFactorIsAFactorUntil1991)
   }
 }
 
-TEST(PhotometricVariants, WithoutAnEditionTheNumberIsAFactorAsFarAsItCanBeOne)
+TEST_F(PhotometricVariants, WithoutAnEditionTheNumberIsAFactorAsFarAsItCanBeOne)
 {
   for (const std::vector<std::string>& header :
     { std::vector<std::string>{}, std::vector<std::string>{ "IES 63 W downlight" },
@@ -112,7 +123,7 @@ TEST(PhotometricVariants, WithoutAnEditionTheNumberIsAFactorAsFarAsItCanBeOne)
   }
 }
 
-TEST(PhotometricVariants, AnLm63LineWithoutItsYearIsOneSince1995)
+TEST_F(PhotometricVariants, AnLm63LineWithoutItsYearIsOneSince1995)
 {
   for (const char* header :
     { "IESNA:LM-63", "LM-63-2x02", "IESNA:LM-63-", "IESNA:LM-63-19", "IES LM-63-1902" })
@@ -124,7 +135,7 @@ TEST(PhotometricVariants, AnLm63LineWithoutItsYearIsOneSince1995)
   }
 }
 
-TEST(PhotometricVariants, TextOfAnyEncodingAndLineEnd)
+TEST_F(PhotometricVariants, TextOfAnyEncodingAndLineEnd)
 {
   const auto ies = Ies({ "IESNA:LM-63-2002" });
   const auto eulumdat = Eulumdat();
@@ -173,7 +184,7 @@ TEST(PhotometricVariants, TextOfAnyEncodingAndLineEnd)
     1.0, "", "minus signs");
 }
 
-TEST(PhotometricVariants, ControlCharactersSpoilANumberAndDoNotCutIt)
+TEST_F(PhotometricVariants, ControlCharactersSpoilANumberAndDoNotCutIt)
 {
   for (const char c : { '\0', '\x01', '\x7F' })
   {
@@ -183,7 +194,7 @@ TEST(PhotometricVariants, ControlCharactersSpoilANumberAndDoNotCutIt)
   }
 }
 
-TEST(PhotometricVariants, IesLinesThatLightDoesNotDependOn)
+TEST_F(PhotometricVariants, IesLinesThatLightDoesNotDependOn)
 {
   const auto lines = Ies({ "IESNA:LM-63-2002" });
   const auto expect = [&](std::size_t line, const std::string& by, const char* note)
@@ -214,7 +225,7 @@ TEST(PhotometricVariants, IesLinesThatLightDoesNotDependOn)
     ReadIesText, With(lines, 4, "TILT=C:\\tilts\\TILT.TLT"), 0.5, "", "another's file name");
 }
 
-TEST(PhotometricVariants, IesLinesThatContradictEachOther)
+TEST_F(PhotometricVariants, IesLinesThatContradictEachOther)
 {
   const auto lines = Ies({ "IESNA:LM-63-2002" });
   const auto expect = [&](std::size_t line, const std::string& by, const char* message)
@@ -230,7 +241,7 @@ TEST(PhotometricVariants, IesLinesThatContradictEachOther)
   expect(9, "1,900.5 700 300 40", "what follows is '40'");
 }
 
-TEST(PhotometricVariants, EulumdatLampSetsInEitherOrder)
+TEST_F(PhotometricVariants, EulumdatLampSetsInEitherOrder)
 {
   const auto expect = [](const Sets& sets, double flux, const char* note)
   { ExpectFlux(ReadEulumdatText, Joined(Eulumdat(sets)), flux / 1000.0, note, sets[1]); };
@@ -258,7 +269,7 @@ TEST(PhotometricVariants, EulumdatLampSetsInEitherOrder)
     "line 29: flux of the lamps is 'many'; it must be a number");
 }
 
-TEST(PhotometricVariants, EulumdatLinesThatLightDoesNotDependOn)
+TEST_F(PhotometricVariants, EulumdatLinesThatLightDoesNotDependOn)
 {
   const auto lines = Eulumdat();
   const auto expect = [&](std::size_t line, const std::string& by, const char* note)
@@ -288,7 +299,7 @@ TEST(PhotometricVariants, EulumdatLinesThatLightDoesNotDependOn)
   expect(51, "40\n\x1A", "");
 }
 
-TEST(PhotometricVariants, EulumdatWithBlankLinesAndDirectRatiosAdded)
+TEST_F(PhotometricVariants, EulumdatWithBlankLinesAndDirectRatiosAdded)
 {
   const auto lines = Eulumdat();
   const auto expect = [](const std::vector<std::string>& variant, const char* note)
@@ -326,7 +337,7 @@ TEST(PhotometricVariants, EulumdatWithBlankLinesAndDirectRatiosAdded)
   ExpectRefused(ReadEulumdatText, Joined(inserted(29, 1, "1")), "angles must rise");
 }
 
-TEST(PhotometricVariants, EulumdatPlanesListedOrGivenInOtherNumbers)
+TEST_F(PhotometricVariants, EulumdatPlanesListedOrGivenInOtherNumbers)
 {
   // The intensities of each plane are those of the lamp times the plane's weight.
   const auto file = [](const char* symmetry, const char* planes, const std::vector<double>& listed,

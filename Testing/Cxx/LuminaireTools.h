@@ -4,8 +4,8 @@
 
 #include "TestTools.h"
 
-#include "LuminaireFields.h"
-#include "SceneBlocks.h"
+#include "Illumination/luminaires/LuminaireFields.h"
+#include "Illumination/pipeline/InputError.h"
 
 #include "vtkLuminaireSource.h"
 

@@ -116,10 +116,11 @@ void CheckArrays(Checks& check)
   c.Expect("'two' has 2 components");
   c.AddCellArray("rho", 1, 0.5f)->SetValue(17, 1.25f);
   c.Filter->SetReflectanceArray("rho");
-  c.Expect("cell 17: reflectance 1.25 in array 'rho'");
+  c.Expect("cell 17: DiffuseReflectance is 1.25; it must be within [0, 1]; DiffuseReflectance is "
+           "the array 'rho'");
   c.AddCellArray("colour", 3, 0.5f)->SetComponent(5, 2, std::nan(""));
   c.Filter->SetReflectanceArray("colour");
-  c.Expect("cell 5: reflectance nan");
+  c.Expect("cell 5: DiffuseReflectance (blue) is nan");
   vtkNew<vtkStringArray> words;
   words->SetName("words");
   words->SetNumberOfValues(c.Surface->GetNumberOfCells());

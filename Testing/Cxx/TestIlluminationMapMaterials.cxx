@@ -165,8 +165,8 @@ void TestErrors(Checks& check)
   ball.filter->SetInputData(surface);
   ball.Output();
   check(ball.errors->Count == 2 &&
-      ball.errors->Messages.find(
-        "cell 7: reflectances and transmittances sum to 1.25, more than 1") != std::string::npos,
+      ball.errors->Messages.find("cell 7: the reflectances and transmittances sum to 1.25; they "
+                                 "must not exceed 1 together") != std::string::npos,
     "too much light: " + ball.errors->Messages);
 }
 

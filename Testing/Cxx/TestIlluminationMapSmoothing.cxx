@@ -82,7 +82,7 @@ void CheckErrors(Checks& check)
   smooth->SetIlluminanceArray("Lux");
   expect("there is no point array 'Lux'");
   smooth->SetIlluminanceArray("Normals");
-  expect("point array 'Normals' has 3 components; 1 are wanted");
+  expect("point array 'Normals' has 3 components; 1 is wanted");
   smooth->SetIlluminanceArray("Illuminance");
   smooth->SetFeatureAngle(std::nan(""));
   expect("FeatureAngle is nan; it must be within [0, 180] degrees");

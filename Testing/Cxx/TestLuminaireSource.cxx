@@ -3,8 +3,8 @@
 // values, its geometry is where and as large as it should be, and bad values give one error.
 #include "TestTools.h"
 
-#include "LuminaireFields.h"
-#include "SceneBlocks.h"
+#include "Illumination/luminaires/LuminaireFields.h"
+#include "Illumination/pipeline/InputError.h"
 #include "vtkLuminaireSource.h"
 
 #include "vtkNew.h"

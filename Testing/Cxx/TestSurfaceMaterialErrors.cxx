@@ -35,7 +35,9 @@ void CheckSettingErrors(Checks& check)
   ExpectError(filter, "ClearTransmittance (red) is -0.5", check);
   filter->SetClearTransmittance(0.25, 0.25, 0.25);
   filter->SetGlossyReflectance(0.5, 0.5, 0.5);
-  ExpectError(filter, "of the channel green sum to 1.25; they must not exceed 1 together", check);
+  ExpectError(filter,
+    "the reflectances and transmittances (green) sum to 1.25; they must not exceed 1 together",
+    check);
   filter->SetGlossyReflectance(0.0, 0.0, 0.0);
   filter->SetRoughness(0.0);
   ExpectError(filter, "Roughness is 0; it must be within (0, 1]", check);
@@ -112,8 +114,7 @@ void CheckArrayErrors(Checks& check)
     [](vtkPolyData* data) {
       AddCells<vtkFloatArray>(data, "SolidBody", 1, { 9, 1, 9, 0.5 });
     });
-  expect("cell 1: diffuse, specular and glossy reflectance, diffuse and clear transmittance of the "
-         "channel red sum to 1.5",
+  expect("cell 1: the reflectances and transmittances sum to 1.5",
     [](vtkPolyData* data) {
       AddCells<vtkFloatArray>(data, "ClearTransmittance", 1, { 1, 1, 1, 1 });
     });

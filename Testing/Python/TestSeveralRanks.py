@@ -5,6 +5,7 @@ import math
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 SPREAD = "the scene is spread over several MPI ranks"
 
@@ -22,6 +23,7 @@ SCENES = {
     "smoothed": (0, "map"),
     "smoothed_spread": (1, None),
 }
+ON_THREE = ("plane_lamp", "sphere", "gathered", "elsewhere", "elsewhere_lamp")
 
 
 PIECES = """
@@ -101,5 +103,10 @@ if __name__ == "__main__":
     else:
         for kind in SCENES:
             check(2, kind)
-        for kind in ("plane_lamp", "sphere", "gathered", "elsewhere", "elsewhere_lamp"):
+        for kind in ON_THREE:
             check(3, kind)
+        sys.path[:0] = [str(Path(__file__).resolve().parents[1])]
+        from test_tables import put_result
+        put_result(Path(os.environ["TEST_RESULTS"]), "SeveralRanks", "ScenesOnOneRankAndSpreadOverSeveral",
+                   "ranks that light their own piece as if the others' did not exist",
+                   f"{len(SCENES)} kinds of scene on 2 ranks, {len(ON_THREE)} on 3: a map or one error each")

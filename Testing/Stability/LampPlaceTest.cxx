@@ -80,51 +80,80 @@ std::vector<Lamp> LampsAt(const glm::dvec3& place, const glm::dvec3& aim)
     mesh };
 }
 
-/// All photons must arrive at fronts, and none escape.
-void ExpectAllOnFronts(const Surface& surface, const Lamp& lamp)
+const double Turns[] = { 0.0, 10.0, 30.0, 37.0, 45.0, 123.0 }; // degrees
+
+Motion Turned(double degrees, double shift = 0.0)
 {
-  TraceSettings settings;
-  settings.registerBackSide = true;
-  settings.registration = Registration::Flat;
-  const SoundRun run(surface, lamp, settings, Photons);
-  EXPECT_EQ(run.balance.escaped, 0u);
-  EXPECT_NEAR(run.RegisteredFlux(run.front), run.flux, 1e-6 * run.flux);
-  EXPECT_EQ(run.RegisteredFlux(run.back), 0.0);
+  return { glm::radians(degrees), glm::dvec3(shift) };
 }
 
-const double Turns[] = { 0.0, 10.0, 30.0, 37.0, 45.0, 123.0 }; // degrees
+class LampPlace : public ::testing::Test
+{
+protected:
+  /// The room after a motion.
+  static Surface Room(const Motion& motion)
+  {
+    return Moved(Shapes::Box(Low, High, 4, Facing::Inward), motion);
+  }
+
+  /// Calls f(lamp) for every kind of lamp at a place of the model, after its motion.
+  template <class Function>
+  void ForEachLamp(
+    const Motion& motion, const glm::dvec3& place, const glm::dvec3& aim, const Function& f)
+  {
+    for (const Lamp& lamp : LampsAt(motion.Point(place), motion.Direction(aim)))
+    {
+      SCOPED_TRACE(std::to_string(glm::degrees(motion.angle)) + " degrees, moved by " +
+        std::to_string(motion.shift.x) + ", lamp " + std::to_string(lamp.index()));
+      f(lamp);
+    }
+  }
+
+  /// All photons must arrive at fronts, and none escape.
+  void ExpectAllOnFronts(const Surface& surface, const Lamp& lamp)
+  {
+    TraceSettings settings;
+    settings.registerBackSide = true;
+    settings.registration = Registration::Flat;
+    const SoundRun run(surface, lamp, settings, Photons);
+    EXPECT_EQ(run.balance.escaped, 0u);
+    EXPECT_NEAR(run.RegisteredFlux(run.front), run.flux, 1e-6 * run.flux);
+    EXPECT_EQ(run.RegisteredFlux(run.back), 0.0);
+    ++this->Lamps;
+  }
+
+  void ReportLamps(const std::string& protects, const std::string& where)
+  {
+    Report(protects, std::to_string(this->Lamps) + " lamps " + where + ": all light on fronts");
+  }
+
+  int Lamps = 0;
+};
 
 } // namespace
 
-TEST(LampPlace, RecessedLampsLightTheRoom)
+TEST_F(LampPlace, RecessedLampsLightTheRoom)
 {
-  int lamps = 0;
   for (const double degrees : Turns)
   {
     for (const double shift : { 0.0, 1e3 / 3.0, 1e6 / 3.0 })
     {
-      const Motion motion{ glm::radians(degrees), glm::dvec3(shift) };
-      const Surface room = Moved(Shapes::Box(Low, High, 4, Facing::Inward), motion);
-      for (const Lamp& lamp :
-        LampsAt(motion.Point({ 1.3, 1.9, High.z }), motion.Direction({ 0, 0, -1 })))
-      {
-        SCOPED_TRACE(std::to_string(degrees) + " degrees, moved by " + std::to_string(shift) +
-          ", lamp " + std::to_string(lamp.index()));
-        ExpectAllOnFronts(room, lamp);
-        ++lamps;
-      }
+      const Motion motion = Turned(degrees, shift);
+      const Surface room = this->Room(motion);
+      this->ForEachLamp(motion, { 1.3, 1.9, High.z }, { 0, 0, -1 },
+        [&](const Lamp& lamp) { this->ExpectAllOnFronts(room, lamp); });
     }
   }
-  Report("recessed lamps, whose light rounding puts on the ceiling's back",
-    std::to_string(lamps) + " lamps of all kinds in turned rooms: all light on fronts");
+  this->ReportLamps("recessed lamps, whose light rounding puts on the ceiling's back",
+    "of all kinds in turned rooms");
 }
 
-TEST(LampPlace, OnEveryWallEdgeCornerAndVertex)
+TEST_F(LampPlace, OnEveryWallEdgeCornerAndVertex)
 {
   for (const double degrees : { 0.0, 37.0 })
   {
-    const Motion motion{ glm::radians(degrees), glm::dvec3(0.0) };
-    const Surface room = Moved(Shapes::Box(Low, High, 4, Facing::Inward), motion);
+    const Motion motion = Turned(degrees);
+    const Surface room = this->Room(motion);
     for (int at = 0; at < 27; ++at)
     {
       const glm::ivec3 side(at % 3, at / 3 % 3, at / 9);
@@ -141,56 +170,58 @@ TEST(LampPlace, OnEveryWallEdgeCornerAndVertex)
       }
       SCOPED_TRACE(std::to_string(degrees) + " degrees, place " + std::to_string(at));
       const glm::dvec3 where = motion.Point(place);
-      ExpectAllOnFronts(room, PointLamp{ where, Lumens });
+      this->ExpectAllOnFronts(room, PointLamp{ where, Lumens });
       const glm::dvec3 aim = glm::normalize(motion.Direction(inwards));
-      ExpectAllOnFronts(room, LambertianPointLamp{ where, aim, Lumens });
-      ExpectAllOnFronts(room, SpotLamp{ where, aim, 0.6, 0.0, Lumens });
-      ExpectAllOnFronts(room, SphereLamp{ where, 0.0, Lumens });
+      this->ExpectAllOnFronts(room, LambertianPointLamp{ where, aim, Lumens });
+      this->ExpectAllOnFronts(room, SpotLamp{ where, aim, 0.6, 0.0, Lumens });
+      this->ExpectAllOnFronts(room, SphereLamp{ where, 0.0, Lumens });
     }
   }
+  this->ReportLamps(
+    "lamps that touch several surfaces at once", "on every wall, edge, corner and in the middle");
 }
 
 // A tube in the edge of ceiling and wall, and one across the ceiling: in front of both.
-TEST(LampPlace, TubesOnWallsAndEdges)
+TEST_F(LampPlace, TubesOnWallsAndEdges)
 {
   for (const double degrees : Turns)
   {
     SCOPED_TRACE(std::to_string(degrees) + " degrees");
-    const Motion motion{ glm::radians(degrees), glm::dvec3(0.0) };
-    const Surface room = Moved(Shapes::Box(Low, High, 4, Facing::Inward), motion);
+    const Motion motion = Turned(degrees);
+    const Surface room = this->Room(motion);
     for (const glm::dvec3& centre :
       { glm::dvec3(2.0, 2.5, High.z), glm::dvec3(2.0, 0.0, High.z), glm::dvec3(2.0, 0.0, 0.0) })
     {
-      ExpectAllOnFronts(
+      this->ExpectAllOnFronts(
         room, LineLamp{ motion.Point(centre), motion.Direction({ 1, 0, 0 }), 1.2, Lumens });
     }
   }
+  this->ReportLamps("tubes that touch walls along their length", "on ceilings and in edges");
 }
 
 // Within rounding a lamp is in the ceiling, on either side of it; in front of it, it is where it
 // is.
-TEST(LampPlace, JustBesideTheCeiling)
+TEST_F(LampPlace, JustBesideTheCeiling)
 {
   for (const double degrees : Turns)
   {
-    const Motion motion{ glm::radians(degrees), glm::dvec3(0.0) };
-    const Surface room = Moved(Shapes::Box(Low, High, 4, Facing::Inward), motion);
+    const Motion motion = Turned(degrees);
+    const Surface room = this->Room(motion);
     for (const double behind : { 1e-9, 1e-8, 1e-7, 1e-6, -1e-9, -1e-8, -1e-7, -1e-6, -1e-5, -1e-4,
            -1e-3 }) // of the room's size
     {
-      const glm::dvec3 place = motion.Point({ 1.3, 1.9, High.z + behind * High.y });
-      for (const Lamp& lamp : LampsAt(place, motion.Direction({ 0, 0, -1 })))
-      {
-        SCOPED_TRACE(std::to_string(degrees) + " degrees, " + std::to_string(behind * 1e9) +
-          "e-9 behind, lamp " + std::to_string(lamp.index()));
-        ExpectAllOnFronts(room, lamp);
-      }
+      SCOPED_TRACE(std::to_string(behind * 1e9) + "e-9 behind");
+      this->ForEachLamp(motion, { 1.3, 1.9, High.z + behind * High.y }, { 0, 0, -1 },
+        [&](const Lamp& lamp) { this->ExpectAllOnFronts(room, lamp); });
     }
   }
+  this->ReportLamps("lamps that rounding has put behind the ceiling",
+    "from 1e-6 of the room behind to 1e-3 before the ceiling");
 }
 
-// Far behind the ceiling a lamp shines on its back, as it would.
-TEST(LampPlace, BehindTheCeilingItStaysDark)
+// Far behind the ceiling a lamp shines on its back, as it would. This has always held, and lamps
+// that are moved must not change it.
+TEST_F(LampPlace, BehindTheCeilingItStaysDark)
 {
   const Surface room = Shapes::Box(Low, High, 4, Facing::Inward);
   TraceSettings settings;
@@ -198,6 +229,8 @@ TEST(LampPlace, BehindTheCeilingItStaysDark)
   const SoundRun run(
     room, DiskLamp{ { 1.3, 1.9, High.z + 1e-3 }, { 0, 0, -1 }, 0.1, Lumens }, settings, Photons);
   EXPECT_EQ(run.RegisteredFlux(run.front), 0.0);
+  Report("lamps that are moved through a ceiling they do not touch",
+    "1 mm behind the ceiling: no light in the room");
 }
 
 namespace
@@ -225,38 +258,43 @@ Surface Between(bool glass)
 } // namespace
 
 // On a wall that is drawn once for each side, and on a pane of glass, it lights its own side.
-TEST(LampPlace, OnDoubleSheetsAndGlass)
+TEST_F(LampPlace, OnDoubleSheetsAndGlass)
 {
+  const auto expectOnSide =
+    [&](const Surface& still, const Surface& surface, double side, const Lamp& lamp)
+  {
+    const SoundRun run(surface, lamp, TraceSettings(), Photons);
+    double right = 0.0, wrong = 0.0;
+    for (std::size_t v = 0; v < surface.points.size(); ++v)
+    {
+      const double lux = run.front.direct[v] + run.front.indirect[v];
+      (side * still.points[v].z > 0.1 ? right : wrong) += lux;
+    }
+    EXPECT_GT(right, 0.0);
+    EXPECT_EQ(wrong, 0.0);
+    ++this->Lamps;
+  };
   for (const double degrees : Turns)
   {
-    const Motion motion{ glm::radians(degrees), glm::dvec3(0.0) };
+    const Motion motion = Turned(degrees);
     for (const bool glass : { false, true })
     {
       const Surface still = Between(glass);
       const Surface surface = Moved(still, motion);
       for (const double side : { 1.0, -1.0 })
       {
-        for (const Lamp& lamp :
-          LampsAt(motion.Point({ 0.2, 0.3, 0.0 }), motion.Direction({ 0, 0, side })))
-        {
-          if (std::holds_alternative<PointLamp>(lamp))
+        SCOPED_TRACE((glass ? "glass" : "sheets") + (", side " + std::to_string(side)));
+        this->ForEachLamp(motion, { 0.2, 0.3, 0.0 }, { 0, 0, side },
+          [&](const Lamp& lamp)
           {
-            continue; // it has no side of its own
-          }
-          SCOPED_TRACE(std::to_string(degrees) + " degrees, side " + std::to_string(side) +
-            ", lamp " + std::to_string(lamp.index()) + (glass ? ", glass" : ", sheets"));
-          const SoundRun run(surface, lamp, TraceSettings(), Photons);
-          double right = 0.0, wrong = 0.0;
-          for (std::size_t v = 0; v < surface.points.size(); ++v)
-          {
-            const double lux = run.front.direct[v] + run.front.indirect[v];
-            right += side * still.points[v].z > 0.1 ? lux : 0.0;
-            wrong += side * still.points[v].z > 0.1 ? 0.0 : lux;
-          }
-          EXPECT_GT(right, 0.0);
-          EXPECT_EQ(wrong, 0.0);
-        }
+            if (!std::holds_alternative<PointLamp>(lamp)) // it has no side of its own
+            {
+              expectOnSide(still, surface, side, lamp);
+            }
+          });
       }
     }
   }
+  Report("lamps on walls drawn once for each side, and on glass",
+    std::to_string(this->Lamps) + " lamps: no light on the other side");
 }

@@ -81,6 +81,8 @@ TraceSettings FlatSettings()
 
 } // namespace
 
+// Starts that are as far from walls as the site's rounding wants keep the light in too; those that
+// go by the place are nearer and must not lose it.
 TEST(LargeSite, ARoomKeepsItsLight)
 {
   std::uint64_t segments = 0;
@@ -106,6 +108,7 @@ TEST(LargeSite, ARoomKeepsItsLight)
 // The terrain itself is the floor, on which the walls stand without sharing a point with it.
 TEST(LargeSite, ARoomOnBareGroundKeepsItsLight)
 {
+  std::uint64_t segments = 0;
   for (const Site& site : Sites())
   {
     SCOPED_TRACE(NameOf(site));
@@ -116,12 +119,16 @@ TEST(LargeSite, ARoomOnBareGroundKeepsItsLight)
     const Surface all = Shapes::WithReflectance(Shapes::Together(room, Terrain(site)), 0.98f);
     const SoundRun run(
       all, PointLamp{ site.place + glm::dvec3(0.7, 0.4, 2.0), 1000.0 }, FlatSettings(), 4'000);
-    EXPECT_LE(run.balance.escaped, 0u);
+    EXPECT_EQ(run.balance.escaped, 0u);
+    segments += run.balance.segments;
   }
+  Report("walls on a terrain with which they share no point: light that leaks below them",
+    std::to_string(segments) + " segments, sites of 20 m to 100 km: none escaped");
 }
 
 TEST(LargeSite, ThinCavitiesKeepTheirLight)
 {
+  std::uint64_t segments = 0;
   for (const Site& site : Sites())
   {
     SCOPED_TRACE(NameOf(site));
@@ -131,12 +138,18 @@ TEST(LargeSite, ThinCavitiesKeepTheirLight)
       FlatSettings(), 20'000);
     EXPECT_EQ(run.balance.escaped, 0u);
     EXPECT_EQ(FluxOn(run, cavity.points.size(), all.points.size()), 0.0);
+    segments += run.balance.segments;
   }
+  Report("rays that start beyond the other wall of a thin cavity",
+    std::to_string(segments) + " segments in cavities of 0.5 mm, sites of 20 m to 100 km: none " +
+      "escaped");
 }
 
-// A closed shell of two walls 0.5 mm apart, lit from outside by the sun and by a lamp: dark inside.
+// A closed shell of two walls 0.5 mm apart, lit from outside by the sun and by a lamp: dark inside,
+// as with starts that go by the site.
 TEST(LargeSite, ThinWallsKeepLightOut)
 {
+  std::uint64_t photons = 0;
   for (const Site& site : Sites())
   {
     SCOPED_TRACE(NameOf(site));
@@ -157,7 +170,11 @@ TEST(LargeSite, ThinWallsKeepLightOut)
     const SoundRun fromFar(all, distant, FlatSettings(), 20'000);
     EXPECT_EQ(FluxOn(fromFar, 0, inside.points.size()), 0.0);
     EXPECT_GT(FluxOn(fromFar, inside.points.size(), shell), 0.0);
+    photons += near.balance.emitted + fromFar.balance.emitted;
   }
+  Report("light that passes through thin walls",
+    std::to_string(photons) +
+      " photons at walls 0.5 mm apart, sites of 20 m to 100 km: dark inside");
 }
 
 // Two panes of 0.5 mm, kilometres apart: they cannot both lie where coordinates are fine. Their

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIlluminationMap.h"
 
-#include "CoreSettings.h"
-#include "IlluminationArrays.h"
-#include "LuminaireInput.h"
-#include "MissingLight.h"
-#include "OneRank.h"
-#include "Pipeline.h"
-#include "SceneBlocks.h"
-#include "SceneWarnings.h"
+#include "Illumination/luminaires/LuminaireInput.h"
+#include "Illumination/map/IlluminationArrays.h"
+#include "Illumination/map/LightLosses.h"
+#include "Illumination/map/MissingLight.h"
+#include "Illumination/map/SceneBlocks.h"
+#include "Illumination/map/SceneWarnings.h"
+#include "Illumination/pipeline/InputError.h"
+#include "Illumination/pipeline/Pipeline.h"
 
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/scene/Scene.h"
@@ -24,13 +24,12 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <new>
-#include <sstream>
 
 vtkStandardNewMacro(vtkIlluminationMap);
 
@@ -53,7 +52,9 @@ std::string Message(const InvalidInput& error, const SceneBlocks& blocks)
   }
 }
 
-/// Identity of a data object: a time stamp that no other state of any object has.
+/// When data and filter last changed; no two states of any objects have the same time.
+using Origins = std::vector<vtkMTimeType>;
+
 vtkMTimeType LatestChange(vtkDataObject* data)
 {
   vtkMTimeType latest = data->GetMTime();
@@ -70,32 +71,21 @@ vtkMTimeType LatestChange(vtkDataObject* data)
 
 } // namespace
 
-/// A run that the next execution may go on with.
+/// A run that the next execution may go on with, and what its map depends on but for the number of
+/// photons.
 struct vtkIlluminationMap::KeptRun
 {
-  KeptRun(vtkIlluminationMap* filter, const SceneBlocks& blocks,
-    const PhotonTransport::Lighting& lighting, std::string shape)
+  KeptRun(const SceneBlocks& blocks, const PhotonTransport::Lighting& lighting,
+    const PhotonTransport::TraceSettings& settings, Origins madeFrom)
     : Scene(blocks.Surface())
-    , Run(this->Scene, lighting, SettingsOf(filter))
-    , Shape(std::move(shape))
+    , Run(this->Scene, lighting, settings)
+    , MadeFrom(std::move(madeFrom))
   {
-  }
-
-  bool Serves(const std::string& shape, vtkIdType photons) const
-  {
-    return this->Run.CanGoOn() && this->Shape == shape &&
-      static_cast<vtkIdType>(this->Run.Balance().emitted) <= RoundedUp(photons);
-  }
-
-  static vtkIdType RoundedUp(vtkIdType photons)
-  {
-    constexpr vtkIdType Blocks = 2048; // as the core rounds: 8 replicates of 256
-    return (photons + Blocks - 1) / Blocks * Blocks;
   }
 
   PhotonTransport::Scene Scene;
   PhotonTransport::IlluminationRun Run;
-  std::string Shape; ///< See WhatShapesTheMap.
+  Origins MadeFrom;
 };
 
 vtkIlluminationMap::vtkIlluminationMap()
@@ -118,7 +108,7 @@ void vtkIlluminationMap::SetPhotons(vtkIdType photons)
   {
     this->Photons = photons;
     this->PhotonsAsDouble = static_cast<double>(photons);
-    this->Modified();
+    this->Superclass::Modified();
   }
 }
 
@@ -130,41 +120,21 @@ void vtkIlluminationMap::SetPhotonsAsDouble(double photons)
   if (static_cast<double>(this->Photons) != photons) // NaN too
   {
     this->PhotonsAsDouble = photons;
-    this->Modified();
+    this->Superclass::Modified();
   }
 }
 
-/// Everything that the map depends on except the number of photons.
-std::string vtkIlluminationMap::WhatShapesTheMap(vtkDataObject* input, const Luminaires& luminaires)
+void vtkIlluminationMap::Modified()
 {
-  std::ostringstream shape;
-  shape.precision(17);
-  const auto add = [&](const auto&... values) { ((shape << values << '|'), ...); };
-  for (const LuminaireInput& luminaire : luminaires)
-  {
-    add(static_cast<const void*>(luminaire.data), LatestChange(luminaire.data));
-  }
-  add(this->SpecularReflectance, this->GlossyReflectance, this->DiffuseTransmittance,
-    this->ClearTransmittance, this->Roughness, this->RefractiveIndex, this->SolidBody,
-    this->UseMaterialArrays, this->SpecularReflection, this->GlossyReflection,
-    this->DiffuseTransmission, this->ClearTransmission, this->Refraction, this->Colour,
-    this->LampContributions);
-  add(static_cast<const void*>(input), LatestChange(input), this->LampType, this->LampPosition[0],
-    this->LampPosition[1], this->LampPosition[2], this->LampDirection[0], this->LampDirection[1],
-    this->LampDirection[2], this->LampSize[0], this->LampSize[1], this->SpotHalfAngle,
-    this->SpotExponent, this->LuminousFlux, this->ParallelIlluminance, this->Reflectance,
-    this->ReflectanceArray, this->ExitanceArray, this->Registration, this->Seed, this->Sampling,
-    this->Interreflection, this->RegisterBackSide, this->MetresPerUnit, this->FeatureAngle,
-    this->NumberOfThreads, this->WeightBound, this->MaximumPathLength);
-  return shape.str();
+  this->RunChanged.Modified();
+  this->Superclass::Modified();
 }
 
 int vtkIlluminationMap::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == 0)
   {
-    RequireSurfaces(info);
-    return 1;
+    return this->Superclass::FillInputPortInformation(port, info);
   }
   // Any data: a group arrives as a whole, and data that are no luminaire get an error that names
   // them.
@@ -193,72 +163,42 @@ int vtkIlluminationMap::FillOutputPortInformation(int port, vtkInformation* info
 int vtkIlluminationMap::ProcessRequest(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
-  {
-    return this->Superclass::ProcessRequest(request, input, output);
-  }
-  if (!vtkTable::GetData(output, 1))
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()) && !vtkTable::GetData(output, 1))
   {
     vtkNew<vtkTable> table;
     output->GetInformationObject(1)->Set(vtkDataObject::DATA_OBJECT(), table);
   }
-  return MakeOutputLikeInput(input, output) ? 1 : 0;
+  return this->Superclass::ProcessRequest(request, input, output);
 }
 
-int vtkIlluminationMap::RequestData(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+void vtkIlluminationMap::WithoutResult(vtkInformationVector* outputs)
 {
-  // An observer may disconnect the input.
-  const vtkSmartPointer<vtkDataObject> in = vtkDataObject::GetData(input[0]);
-  vtkDataObject* out = vtkDataObject::GetData(output);
-  PassThrough(in, out);
-  const RankTask task = TaskOfThisRank(in, input[1]);
-  if (!task.Works)
-  {
-    this->Kept.reset();
-    FillAccuracyTable(vtkTable::GetData(output, 1), {});
-    if (!task.Message.empty())
-    {
-      vtkErrorMacro(<< task.Message);
-    }
-    return 1;
-  }
-  // After an error the input is passed through and the pipeline stays usable. The error is reported
-  // here; with a return value of 0 the executive would report a second one.
-  try
-  {
-    this->Trace(in, LuminaireInputs(input[1]), out, vtkTable::GetData(output, 1));
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->Kept.reset();
-    PassThrough(in, out); // without the arrays of the map that were already added
-    vtkErrorMacro("out of memory for an input of " << out->GetActualMemorySize() << " KiB");
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-  }
-  return 1;
+  FillAccuracyTable(vtkTable::GetData(outputs, 1), {});
 }
 
-void vtkIlluminationMap::Trace(
-  vtkDataObject* input, const Luminaires& luminaires, vtkDataObject* output, vtkTable* accuracy)
+void vtkIlluminationMap::Execute(
+  vtkDataObject* input, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  const SceneBlocks blocks(output, DescriptionOf(this, !luminaires.empty()));
-  const PhotonTransport::Lighting lighting = LightingOf(this, luminaires);
+  vtkDataObject* output = vtkDataObject::GetData(outputs);
+  const Luminaires luminaires = LuminaireInputs(inputs[1]);
+  const SceneBlocks blocks(output, this->DescribeSurface(!luminaires.empty()));
+  const PhotonTransport::Lighting lighting = this->MakeLighting(luminaires);
   try
   {
-    const PhotonTransport::StopRules rules = RulesOf(this);
+    const PhotonTransport::StopRules rules = this->MakeStopRules();
     Validate(rules);
-    const PhotonTransport::TraceSettings settings = SettingsOf(this);
+    const PhotonTransport::TraceSettings settings = this->MakeTraceSettings();
     Validate(settings);
     const std::uint64_t forGroups = this->GroupMeans ? PhotonTransport::GroupMeansPerVertex : 0;
     const std::uint64_t need = PhotonTransport::MemoryNeed(blocks.Surface(), lighting, settings) +
       blocks.Surface().points.size() * forGroups;
-    const std::uint64_t memoryLimit = MemoryLimitOf(this);
-    const std::string shape = this->WhatShapesTheMap(input, luminaires);
-    if (!this->Kept || !this->Kept->Serves(shape, this->Photons))
+    const std::uint64_t memoryLimit = this->MemoryLimitInBytes();
+    Origins origins{ this->RunChanged, LatestChange(input) };
+    for (const LuminaireInput& luminaire : luminaires)
+    {
+      origins.push_back(LatestChange(luminaire.data));
+    }
+    if (!this->Kept || this->Kept->MadeFrom != origins || !this->Kept->Run.CanGoOnTo(rules.photons))
     {
       this->Kept.reset(); // first, so that two never share the memory
       PhotonTransport::RequireMemory(need, memoryLimit);
@@ -266,7 +206,7 @@ void vtkIlluminationMap::Trace(
         "Building the scene, up to " + std::to_string(need >> 20) + " MiB of memory";
       this->SetProgressText(text.c_str());
       this->UpdateProgress(0.0);
-      this->Kept = std::make_unique<KeptRun>(this, blocks, lighting, shape);
+      this->Kept = std::make_unique<KeptRun>(blocks, lighting, settings, std::move(origins));
     }
     PhotonTransport::IlluminationRun& run = this->Kept->Run;
     const PhotonTransport::StopReason reason = run.Advance(rules,
@@ -290,7 +230,7 @@ void vtkIlluminationMap::Trace(
     notes.insert(notes.end(), onFiles.begin(), onFiles.end());
     AddFieldData(output->GetFieldData(), run, reason, notes);
     AddMemoryNeeded(output->GetFieldData(), need);
-    FillAccuracyTable(accuracy, run.Rounds());
+    FillAccuracyTable(vtkTable::GetData(outputs, 1), run.Rounds());
     for (const std::string& warning : WarningsOn(blocks, this->Kept->Scene))
     {
       vtkWarningMacro(<< warning);
@@ -299,6 +239,11 @@ void vtkIlluminationMap::Trace(
     {
       vtkWarningMacro(<< missing.warning);
     }
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Kept.reset();
+    throw;
   }
   catch (const InvalidInput& error)
   {

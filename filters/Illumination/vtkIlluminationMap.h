@@ -65,20 +65,30 @@
 #define vtkIlluminationMap_h
 
 #include "vtkIlluminationModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkSurfaceAlgorithm.h"
+#include "vtkTimeStamp.h" // for when a run must start anew
 
-#include <memory> // for the kept run
-#include <string> // for array names
-#include <vector> // for luminaires
+#include <cstdint> // for bytes
+#include <memory>  // for the kept run
+#include <string>  // for array names
+#include <vector>  // for luminaires
 
 class vtkTable;
 struct LuminaireInput;
+struct SurfaceDescription;
 
-class VTKILLUMINATION_EXPORT vtkIlluminationMap : public vtkPolyDataAlgorithm
+namespace PhotonTransport
+{
+struct Lighting;
+struct StopRules;
+struct TraceSettings;
+}
+
+class VTKILLUMINATION_EXPORT vtkIlluminationMap : public vtkSurfaceAlgorithm
 {
 public:
   static vtkIlluminationMap* New();
-  vtkTypeMacro(vtkIlluminationMap, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkIlluminationMap, vtkSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   using Superclass::Update;
@@ -87,6 +97,12 @@ public:
    * returns.
    */
   void Update(int port) override;
+
+  /**
+   * The next execution starts anew, whatever has changed. Only the setters of Photons,
+   * TargetRelativeError, TimeLimit, GroupMeans and MemoryLimit let the run go on.
+   */
+  void Modified() override;
 
   enum LampTypes
   {
@@ -294,7 +310,10 @@ public:
    * target, 0.02 is 2 %. If none of 2^20 photons registers on a front, no target can be met, and
    * the run ends. Default: 0.
    */
-  vtkSetMacro(TargetRelativeError, double);
+  virtual void SetTargetRelativeError(double error)
+  {
+    this->SetAndKeepRun(this->TargetRelativeError, error);
+  }
   vtkGetMacro(TargetRelativeError, double);
   ///@}
 
@@ -303,7 +322,7 @@ public:
    * Seconds of tracing to stop at, >= 0, counted from the start of the run, also where it goes on;
    * 0 is no limit. Default: 0.
    */
-  vtkSetMacro(TimeLimit, double);
+  virtual void SetTimeLimit(double seconds) { this->SetAndKeepRun(this->TimeLimit, seconds); }
   vtkGetMacro(TimeLimit, double);
   ///@}
 
@@ -410,7 +429,7 @@ public:
    * IlluminanceIndirectGroups (lx, 4 components). They take no more tracing, and 64 bytes a point.
    * Default: off.
    */
-  vtkSetMacro(GroupMeans, bool);
+  virtual void SetGroupMeans(bool on) { this->SetAndKeepRun(this->GroupMeans, on); }
   vtkGetMacro(GroupMeans, bool);
   vtkBooleanMacro(GroupMeans, bool);
   ///@}
@@ -470,7 +489,7 @@ public:
    * that needs more is refused before the rest is allocated. MemoryNeeded tells the need. A run
    * that goes on from what it has is not checked again. Default: 0.
    */
-  vtkSetMacro(MemoryLimit, double);
+  virtual void SetMemoryLimit(double limit) { this->SetAndKeepRun(this->MemoryLimit, limit); }
   vtkGetMacro(MemoryLimit, double);
   ///@}
 
@@ -482,8 +501,9 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  void Execute(
+    vtkDataObject* input, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void WithoutResult(vtkInformationVector* outputs) override;
 
   int LampType = PARALLEL;
   double LampPosition[3] = { 0.0, 0.0, 1.0 };
@@ -533,12 +553,27 @@ private:
   void operator=(const vtkIlluminationMap&) = delete;
 
   using Luminaires = std::vector<LuminaireInput>;
-  void Trace(
-    vtkDataObject* input, const Luminaires& luminaires, vtkDataObject* output, vtkTable* accuracy);
-  std::string WhatShapesTheMap(vtkDataObject* input, const Luminaires& luminaires);
+
+  // The properties in the core's terms; each throws for values out of range.
+  PhotonTransport::Lighting MakeLighting(const Luminaires& luminaires);
+  PhotonTransport::TraceSettings MakeTraceSettings();
+  PhotonTransport::StopRules MakeStopRules();
+  SurfaceDescription DescribeSurface(bool otherLamps);
+  std::uint64_t MemoryLimitInBytes(); ///< 0 for what the machine has.
+
+  template <typename Value>
+  void SetAndKeepRun(Value& property, Value value)
+  {
+    if (property != value)
+    {
+      property = value;
+      this->Superclass::Modified();
+    }
+  }
 
   struct KeptRun;
   std::unique_ptr<KeptRun> Kept; ///< To go on from.
+  vtkTimeStamp RunChanged;       ///< When something changed that a run can't go on after.
 };
 
 #endif

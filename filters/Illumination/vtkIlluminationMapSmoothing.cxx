@@ -1,28 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIlluminationMapSmoothing.h"
 
-#include "CoreSettings.h"
-#include "FieldArrays.h"
-#include "MapBlocks.h"
-#include "OneRank.h"
-#include "Pipeline.h"
+#include "Illumination/map/MapBlocks.h"
+#include "Illumination/pipeline/FieldArrays.h"
+#include "Illumination/pipeline/InputError.h"
+#include "Illumination/pipeline/Pipeline.h"
 
 #include "PhotonTransport/filtration/Filtration.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 
 #include "vtkDataObject.h"
-#include "vtkDemandDrivenPipeline.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 
 vtkStandardNewMacro(vtkIlluminationMapSmoothing);
 
@@ -117,73 +112,32 @@ void AddMaps(const MapBlocks& blocks, const std::string& name, const Maps& maps,
   }
 }
 
+PhotonTransport::FiltrationSettings SettingsOf(vtkIlluminationMapSmoothing* filter)
+{
+  const double angle = filter->GetFeatureAngle();
+  if (!(angle >= 0.0 && angle <= 180.0))
+  {
+    throw InputError(
+      "FeatureAngle is " + std::to_string(angle) + "; it must be within [0, 180] degrees");
+  }
+  PhotonTransport::FiltrationSettings settings;
+  settings.method = static_cast<PhotonTransport::FiltrationMethod>(filter->GetMethod());
+  settings.strength = filter->GetStrength();
+  settings.width = filter->GetWidth();
+  settings.threads = filter->GetNumberOfThreads();
+  return settings;
+}
+
 } // namespace
 
-int vtkIlluminationMapSmoothing::FillInputPortInformation(int, vtkInformation* info)
+void vtkIlluminationMapSmoothing::Execute(
+  vtkDataObject*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  RequireSurfaces(info);
-  return 1;
-}
-
-int vtkIlluminationMapSmoothing::FillOutputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
-  return 1;
-}
-
-int vtkIlluminationMapSmoothing::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
-{
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
-  {
-    return MakeOutputLikeInput(input, output) ? 1 : 0;
-  }
-  return this->Superclass::ProcessRequest(request, input, output);
-}
-
-int vtkIlluminationMapSmoothing::RequestData(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
-{
-  // An observer may disconnect the input.
-  const vtkSmartPointer<vtkDataObject> in = vtkDataObject::GetData(input[0]);
-  vtkDataObject* out = vtkDataObject::GetData(output);
-  PassThrough(in, out);
-  const RankTask task = TaskOfThisRank(in, nullptr);
-  if (!task.Works)
-  {
-    if (!task.Message.empty())
-    {
-      vtkErrorMacro(<< task.Message);
-    }
-    return 1;
-  }
-  try
-  {
-    this->Smooth(out);
-  }
-  catch (const Aborted&)
-  {
-    // The input passes through.
-  }
-  catch (const std::bad_alloc&)
-  {
-    PassThrough(in, out);
-    vtkErrorMacro("out of memory for an input of " << out->GetActualMemorySize() << " KiB");
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-  }
-  return 1; // as vtkIlluminationMap does: an error is said once
-}
-
-void vtkIlluminationMapSmoothing::Smooth(vtkDataObject* output)
-{
+  vtkDataObject* output = vtkDataObject::GetData(outputs);
   const PhotonTransport::FiltrationSettings settings = SettingsOf(this);
   Validate(settings);
   const MapBlocks blocks(output);
-  const Maps maps =
-    ReadMaps(blocks, this->IlluminanceArray, ArrayName(this->StandardErrorArray.c_str()));
+  const Maps maps = ReadMaps(blocks, this->IlluminanceArray, ArrayName(this->StandardErrorArray));
   try
   {
     std::vector<FilteredMap> filtered;
@@ -204,6 +158,10 @@ void vtkIlluminationMapSmoothing::Smooth(vtkDataObject* output)
     AddMaps(blocks, this->IlluminanceArray, maps, filtered);
     const std::vector<std::string> notes{ "smoothed " + maps.note };
     AddArray(output->GetFieldData(), "SmoothingNotes", notes);
+  }
+  catch (const Aborted&)
+  {
+    // The input passes through.
   }
   catch (const PhotonTransport::InvalidInput& error)
   {

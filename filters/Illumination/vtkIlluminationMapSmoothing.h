@@ -36,15 +36,15 @@
 #define vtkIlluminationMapSmoothing_h
 
 #include "vtkIlluminationModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkSurfaceAlgorithm.h"
 
 #include <string> // for array names
 
-class VTKILLUMINATION_EXPORT vtkIlluminationMapSmoothing : public vtkPolyDataAlgorithm
+class VTKILLUMINATION_EXPORT vtkIlluminationMapSmoothing : public vtkSurfaceAlgorithm
 {
 public:
   static vtkIlluminationMapSmoothing* New();
-  vtkTypeMacro(vtkIlluminationMapSmoothing, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkIlluminationMapSmoothing, vtkSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Methods
@@ -121,12 +121,8 @@ protected:
   vtkIlluminationMapSmoothing() = default;
   ~vtkIlluminationMapSmoothing() override = default;
 
-  int ProcessRequest(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  void Execute(
+    vtkDataObject* input, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
   int Method = ADAPTIVE;
   std::string IlluminanceArray = "Illuminance";
@@ -139,8 +135,6 @@ protected:
 private:
   vtkIlluminationMapSmoothing(const vtkIlluminationMapSmoothing&) = delete;
   void operator=(const vtkIlluminationMapSmoothing&) = delete;
-
-  void Smooth(vtkDataObject* output);
 };
 
 #endif

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLuminaireSource.h"
 
-#include "LuminaireFields.h"
-#include "LuminaireGeometry.h"
-#include "LuminairePlace.h"
-#include "LuminaireSettings.h"
+#include "Illumination/luminaires/LuminaireFields.h"
+#include "Illumination/luminaires/LuminaireGeometry.h"
+#include "Illumination/luminaires/LuminairePlace.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -27,8 +26,8 @@ int vtkLuminaireSource::RequestData(
   vtkPolyData* out = vtkPolyData::GetData(output);
   try
   {
-    const LuminaireGlyph glyph = GlyphOf(this);
-    const PhotonTransport::Luminaire luminaire = LuminaireOf(this);
+    const LuminaireGlyph glyph = this->MakeGlyph();
+    const PhotonTransport::Luminaire luminaire = this->MakeLuminaire();
     out->ShallowCopy(LuminaireGeometry(luminaire.lamp, glyph));
     AddLuminaire(out->GetFieldData(), luminaire);
     RememberPlace(out);

@@ -41,6 +41,13 @@
 
 #include <string> // for names
 
+struct LuminaireGlyph;
+
+namespace PhotonTransport
+{
+struct Luminaire;
+}
+
 class VTKILLUMINATION_EXPORT vtkLuminaireSource : public vtkPolyDataAlgorithm
 {
 public:
@@ -239,6 +246,11 @@ protected:
 private:
   vtkLuminaireSource(const vtkLuminaireSource&) = delete;
   void operator=(const vtkLuminaireSource&) = delete;
+
+  // What the properties describe; each throws for values that the type of lamp uses and that are
+  // out of range, and for a file that can't be read.
+  PhotonTransport::Luminaire MakeLuminaire();
+  LuminaireGlyph MakeGlyph();
 };
 
 #endif

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPhotometricReader.h"
 
-#include "FieldArrays.h"
-#include "LuminaireFields.h"
-#include "LuminairePlace.h"
-#include "PhotometricSurface.h"
-#include "SceneBlocks.h"
+#include "Illumination/luminaires/LuminaireFields.h"
+#include "Illumination/luminaires/LuminairePlace.h"
+#include "Illumination/luminaires/PhotometricSurface.h"
+#include "Illumination/pipeline/FieldArrays.h"
+#include "Illumination/pipeline/InputError.h"
 
 #include "PhotonTransport/photometry/PhotometricFile.h"
 

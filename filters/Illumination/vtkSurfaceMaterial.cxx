@@ -1,29 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceMaterial.h"
 
-#include "CoreSettings.h"
-#include "InputChecks.h"
-#include "MaterialCells.h"
-#include "MaterialPresets.h"
-#include "Pipeline.h"
-#include "SceneBlocks.h"
+#include "Illumination/materials/MaterialCells.h"
+#include "Illumination/materials/MaterialPresets.h"
+#include "Illumination/pipeline/InputError.h"
+#include "Illumination/pipeline/Pipeline.h"
+#include "Illumination/surface/InputChecks.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
-#include "vtkDemandDrivenPipeline.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <new>
 #include <sstream>
 #include <vector>
 
 vtkStandardNewMacro(vtkSurfaceMaterial);
+
+static_assert(static_cast<int>(MaterialPreset::WhitePaint) == vtkSurfaceMaterial::WHITE_PAINT &&
+  static_cast<int>(MaterialPreset::FrostedGlass) == vtkSurfaceMaterial::FROSTED_GLASS);
 
 namespace
 {
@@ -130,7 +129,7 @@ PhotonTransport::Material MaterialOf(vtkSurfaceMaterial* filter)
 {
   if (filter->GetPreset() != vtkSurfaceMaterial::CUSTOM)
   {
-    return PresetMaterial(filter->GetPreset());
+    return MaterialOf(static_cast<MaterialPreset>(filter->GetPreset()));
   }
   PhotonTransport::Material material;
   material.diffuseReflectance = Colour(filter->GetDiffuseReflectance());
@@ -146,59 +145,15 @@ PhotonTransport::Material MaterialOf(vtkSurfaceMaterial* filter)
 
 } // namespace
 
-int vtkSurfaceMaterial::FillInputPortInformation(int, vtkInformation* info)
-{
-  RequireSurfaces(info);
-  return 1;
-}
-
-int vtkSurfaceMaterial::FillOutputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
-  return 1;
-}
-
-int vtkSurfaceMaterial::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
-{
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
-  {
-    return MakeOutputLikeInput(input, output) ? 1 : 0;
-  }
-  return this->Superclass::ProcessRequest(request, input, output);
-}
-
-int vtkSurfaceMaterial::RequestData(
-  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
-{
-  vtkDataObject* in = vtkDataObject::GetData(input[0]);
-  vtkDataObject* out = vtkDataObject::GetData(output);
-  PassThrough(in, out);
-  try
-  {
-    this->Assign(out);
-  }
-  catch (const std::bad_alloc&)
-  {
-    PassThrough(in, out);
-    vtkErrorMacro("out of memory for an input of " << out->GetActualMemorySize() << " KiB");
-  }
-  catch (const std::exception& error)
-  {
-    PassThrough(in, out); // without the arrays of the blocks before the error
-    vtkErrorMacro(<< error.what());
-  }
-  return 1; // as vtkIlluminationMap does: an error is said once
-}
-
-void vtkSurfaceMaterial::Assign(vtkDataObject* output)
+void vtkSurfaceMaterial::Execute(
+  vtkDataObject*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   const PhotonTransport::Material material = MaterialOf(this);
-  RequireValid(material, "");
-  const std::string cellArray = ArrayName(this->CellArray.c_str());
+  RequireValid(ValuesOf(material), "");
+  const std::string cellArray = ArrayName(this->CellArray);
   bool hadChoice = false;
   bool choseAny = false;
-  for (const Block& block : BlocksOf(output, this->Blocks))
+  for (const Block& block : BlocksOf(vtkDataObject::GetData(outputs), this->Blocks))
   {
     RequireValidCells(block.data, block.name);
     const std::vector<bool> chosen = ChosenCells(block, cellArray, this->CellValue);

@@ -26,16 +26,16 @@
 #define vtkSurfaceMaterial_h
 
 #include "vtkIlluminationModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkSurfaceAlgorithm.h"
 
 #include <set>    // for block numbers
 #include <string> // for array names
 
-class VTKILLUMINATION_EXPORT vtkSurfaceMaterial : public vtkPolyDataAlgorithm
+class VTKILLUMINATION_EXPORT vtkSurfaceMaterial : public vtkSurfaceAlgorithm
 {
 public:
   static vtkSurfaceMaterial* New();
-  vtkTypeMacro(vtkSurfaceMaterial, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkSurfaceMaterial, vtkSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// MaterialPresets.cxx says where the values come from.
@@ -173,12 +173,9 @@ protected:
   vtkSurfaceMaterial() = default;
   ~vtkSurfaceMaterial() override = default;
 
-  int ProcessRequest(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  void Execute(
+    vtkDataObject* input, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  bool NeedsWholeSurface() const override { return false; }
 
   int Preset = CUSTOM;
   double DiffuseReflectance[3] = { 0.5, 0.5, 0.5 };
@@ -196,8 +193,6 @@ protected:
 private:
   vtkSurfaceMaterial(const vtkSurfaceMaterial&) = delete;
   void operator=(const vtkSurfaceMaterial&) = delete;
-
-  void Assign(vtkDataObject* output);
 };
 
 #endif

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/Surface.h"
 
+#include "PhotonTransport/materials/MaterialProperties.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <sstream>
-#include <utility>
 
 namespace PhotonTransport
 {
@@ -120,53 +118,15 @@ void ValidateExitance(const Surface& surface, std::size_t f)
 
 } // namespace
 
-std::string ProblemOf(const Material& material)
-{
-  const std::pair<const char*, const Colour&> shares[] = { { "diffuse reflectance",
-                                                             material.diffuseReflectance },
-    { "specular reflectance", material.specularReflectance },
-    { "glossy reflectance", material.glossyReflectance },
-    { "diffuse transmittance", material.diffuseTransmittance },
-    { "clear transmittance", material.clearTransmittance } };
-  const bool grey = std::all_of(
-    std::begin(shares), std::end(shares), [](const auto& share) { return IsGrey(share.second); });
-  for (int c = 0; c < 3; ++c)
-  {
-    constexpr const char* Channels[] = { " (red)", " (green)", " (blue)" };
-    const char* channel = grey ? "" : Channels[c];
-    double sum = 0.0;
-    for (const auto& [name, share] : shares)
-    {
-      if (!(share[c] >= 0.0f && share[c] <= 1.0f)) // negated comparisons refuse NaN too
-      {
-        return Text(name, " ", share[c], channel, " is outside [0, 1]");
-      }
-      sum += double{ share[c] };
-    }
-    constexpr double Rounding = 1e-6;
-    if (sum > 1.0 + Rounding)
-    {
-      return Text("reflectances and transmittances", channel, " sum to ", sum, ", more than 1");
-    }
-  }
-  if (!(material.roughness > 0.0f && material.roughness <= 1.0f))
-  {
-    return Text("roughness ", material.roughness, " is outside (0, 1]");
-  }
-  if (!(material.refractiveIndex >= 1.0f && material.refractiveIndex <= 4.0f))
-  {
-    return Text("refractive index ", material.refractiveIndex, " is outside [1, 4]");
-  }
-  return {};
-}
-
 void Validate(const Surface& surface)
 {
   ValidateSizes(surface);
   std::vector<std::string> problems;
   problems.reserve(surface.materials.size());
-  std::transform(
-    surface.materials.begin(), surface.materials.end(), std::back_inserter(problems), ProblemOf);
+  for (const Material& material : surface.materials)
+  {
+    problems.push_back(ProblemOf(material));
+  }
   for (std::size_t f = 0; f < surface.facets.size(); ++f)
   {
     for (int corner = 0; corner < 3; ++corner)

@@ -6,7 +6,6 @@
 #include <glm/vec3.hpp>
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace PhotonTransport
@@ -27,9 +26,6 @@ struct Surface
   std::vector<Colour> exitanceColour; ///< Its colour, in any scale, >= 0, one a facet; empty: grey.
   double metresPerUnit = 1.0;         ///< > 0, finite.
 };
-
-/// What is wrong with a material, in words; empty if nothing is.
-std::string ProblemOf(const Material& material);
 
 /// Throws InvalidInput at the first value outside what Surface promises.
 void Validate(const Surface& surface);

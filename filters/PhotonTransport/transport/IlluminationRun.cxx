@@ -113,7 +113,8 @@ std::optional<StopReason> IlluminationRun::RuleReached(const StopRules& rules) c
     return StopReason::RelativeError;
   }
   if (rules.relativeError > 0.0 && this->BlocksTraced() * PhotonBlock >= MostPhotonsInTheDark &&
-    !this->Sums.AnyLight(&IlluminationSums::front))
+    !this->Sums.AnyLight(&IlluminationSums::front) &&
+    !this->Sums.AnyLight(&IlluminationSums::back))
   {
     return StopReason::NothingLit;
   }
@@ -128,11 +129,16 @@ std::optional<StopReason> IlluminationRun::RuleReached(const StopRules& rules) c
   return std::nullopt;
 }
 
+bool IlluminationRun::CanGoOnTo(std::uint64_t photons) const
+{
+  return this->CanGoOn() &&
+    this->BlocksTraced() <= this->BlocksFor(photons) * this->Sums.replicates.size();
+}
+
 std::uint64_t IlluminationRun::NextRound(const StopRules& rules) const
 {
   const std::uint64_t replicates = this->Sums.replicates.size();
-  const std::uint64_t limit =
-    (rules.photons + replicates * PhotonBlock - 1) / (replicates * PhotonBlock);
+  const std::uint64_t limit = this->BlocksFor(rules.photons);
   const std::uint64_t first =
     std::max<std::uint64_t>(FirstRound, this->Surroundings.Vertices().size() / PhotonBlock);
   const auto traced = static_cast<double>(this->BlocksTraced() / replicates);

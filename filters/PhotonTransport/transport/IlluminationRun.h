@@ -24,7 +24,7 @@ struct StopRules
 };
 
 /// A run towards a relative error ends when it has traced so many photons and none of them has
-/// registered on a front. With 95 % confidence less than 3 in so many photons do, and no target can
+/// registered on any side. With 95 % confidence less than 3 in so many photons do, and no target can
 /// be met with so few. Without this rule the run would go on to StopRules::photons.
 constexpr std::uint64_t MostPhotonsInTheDark = 1u << 20;
 
@@ -67,6 +67,8 @@ public:
   /// False once an abort has left gaps in the sequences: the map is valid, but going on would not
   /// give the bits that a run in one go gives.
   bool CanGoOn() const { return this->Whole; }
+  /// And whether a run to so many photons would not have ended before.
+  bool CanGoOnTo(std::uint64_t photons) const;
 
   IlluminationMap Front() const { return this->MapOf(&IlluminationSums::front); }
   /// Only if the settings ask for the back to be registered.
@@ -109,6 +111,12 @@ private:
   std::uint64_t BlocksOf(std::uint32_t replicate) const
   {
     return this->Sums.replicates[replicate].balance.emitted / PhotonBlock;
+  }
+  /// Blocks of each replicate for at least so many photons in all.
+  std::uint64_t BlocksFor(std::uint64_t photons) const
+  {
+    const std::uint64_t inOneOfEach = this->Sums.replicates.size() * PhotonBlock;
+    return (photons + inOneOfEach - 1) / inOneOfEach;
   }
   IlluminationMap MapOf(ReplicateSums::Side side) const
   {

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Illumination/luminaires/EmittingSurface.h"
+
+#include "Illumination/pipeline/InputError.h"
+#include "Illumination/surface/CellExitance.h"
+#include "Illumination/surface/InputChecks.h"
+#include "Illumination/surface/SurfaceTriangles.h"
+
+#include "PhotonTransport/scene/FacetSide.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace
+{
+
+using namespace PhotonTransport;
+
+constexpr const char* Exitance = "Exitance";
+
+/// A vector as long as twice the facet's area, to the side round which its corners run
+/// counter-clockwise.
+glm::dvec3 AreaVector(const EmittingMesh& mesh, const glm::uvec3& facet)
+{
+  const glm::dvec3& a = mesh.points[facet.x];
+  return glm::cross(mesh.points[facet.y] - a, mesh.points[facet.z] - a);
+}
+
+void TurnToNormals(
+  EmittingMesh& mesh, vtkDataArray* normals, const std::vector<vtkIdType>& cellOfFacet)
+{
+  for (std::size_t f = 0; f < mesh.facets.size(); ++f)
+  {
+    glm::uvec3& facet = mesh.facets[f];
+    std::array<glm::dvec3, 3> corners;
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      normals->GetTuple(facet[corner], &corners[static_cast<std::size_t>(corner)].x);
+    }
+    const FacetSide side = SideOf(AreaVector(mesh, facet), corners);
+    if (side.undecided)
+    {
+      throw InputError("the point normals of cell " + std::to_string(cellOfFacet[f]) +
+        " lie in its own plane or cancel, so they do not tell to which side it shines; compute "
+        "them anew or remove them");
+    }
+    if (side.turned)
+    {
+      std::swap(facet.y, facet.z);
+    }
+  }
+}
+
+/// The colour scaled so that its largest part is 1, since only ratios count. A mesh without light
+/// is white.
+Colour WithLargestOne(const glm::dvec3& colour)
+{
+  const double largest = std::max({ colour.x, colour.y, colour.z });
+  return largest > 0.0 && std::isfinite(largest) ? Colour(colour / largest) : Colour(1.0f);
+}
+
+} // namespace
+
+std::optional<Luminaire> ReadEmittingSurface(vtkPolyData* data)
+{
+  if (!data->GetCellData()->HasArray(Exitance))
+  {
+    return std::nullopt;
+  }
+  vtkDataArray* normals = CheckedNormals(data, "");
+  const SurfaceTriangles triangles = TrianglesOf(data, nullptr, "");
+
+  const std::vector<vtkIdType> cells = CellsOfTriangles(triangles.mesh);
+  const std::vector<Colour> exitance = ExitanceOf({ data, "" }, Exitance, cells);
+  if (cells.empty())
+  {
+    throw InputError("a surface with a cell array 'Exitance' has no polygons or triangle strips "
+                     "with an area to shine");
+  }
+  if (triangles.uncut.number > 0)
+  {
+    throw InputError("cell " + std::to_string(triangles.uncut.first) +
+      " crosses or touches itself, so its Exitance gives no flux");
+  }
+
+  EmittingMesh mesh;
+  AppendPoints(triangles.mesh, mesh.points);
+  AppendFacets(triangles.mesh, 0, mesh.facets);
+  if (normals)
+  {
+    TurnToNormals(mesh, normals, cells);
+  }
+  glm::dvec3 light(0.0);
+  for (std::size_t f = 0; f < mesh.facets.size(); ++f)
+  {
+    mesh.exitance.push_back(Luminous(exitance[f]));
+    light += glm::length(AreaVector(mesh, mesh.facets[f])) * glm::dvec3(exitance[f]);
+  }
+  auto* name =
+    vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("LuminaireName"));
+  const bool named = name && name->GetNumberOfValues() > 0;
+  return Luminaire{ std::move(mesh), named ? std::string(name->GetValue(0)) : "",
+    WithLargestOne(light) };
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PointMapping_h
+#define PointMapping_h
+
+#include "Illumination/surface/SceneBlock.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+/// Carries values from the scene's vertices to a block's points. A point whose normals were split
+/// has several vertices and gets their mean, weighted by area, which keeps the flux, sum A E. A
+/// ghost point has the vertices of its owner.
+class PointMapping
+{
+public:
+  PointMapping(const SceneBlock& block, const std::vector<double>& vertexAreas, vtkIdType points)
+    : Block(block)
+    , VertexAreas(vertexAreas)
+    , Areas(static_cast<std::size_t>(points), 0.0)
+  {
+    this->ForEach([&](std::size_t vertex, std::size_t point)
+      { this->Areas[point] += this->VertexAreas[vertex]; });
+  }
+
+  /// Calls f(vertex of the scene, point of the block).
+  template <typename Function>
+  void ForEach(const Function& f) const
+  {
+    for (std::size_t v = 0; v < this->Block.pointOfVertex.size(); ++v)
+    {
+      const auto point = static_cast<std::size_t>(this->Block.pointOfVertex[v]);
+      if (this->Block.borrows.empty() || !this->Block.borrows[point])
+      {
+        f(this->Block.firstVertex + v, point);
+      }
+    }
+    for (const BorrowedVertex& borrowed : this->Block.borrowed)
+    {
+      f(borrowed.vertex, borrowed.point);
+    }
+  }
+
+  std::vector<double> Mean(const std::vector<double>& values) const
+  {
+    std::vector<double> mean(this->Areas.size(), 0.0);
+    this->ForEach(
+      [&](std::size_t vertex, std::size_t point)
+      {
+        if (this->Areas[point] > 0.0)
+        {
+          mean[point] += values[vertex] * (this->VertexAreas[vertex] / this->Areas[point]);
+        }
+      });
+    return mean;
+  }
+
+  template <std::size_t Size>
+  std::vector<std::array<double, Size>> Mean(
+    const std::vector<std::array<double, Size>>& values) const
+  {
+    std::vector<std::array<double, Size>> mean(this->Areas.size(), std::array<double, Size>{});
+    this->ForEach(
+      [&](std::size_t vertex, std::size_t point)
+      {
+        for (std::size_t g = 0; g < mean[point].size() && this->Areas[point] > 0.0; ++g)
+        {
+          mean[point][g] += values[vertex][g] * (this->VertexAreas[vertex] / this->Areas[point]);
+        }
+      });
+    return mean;
+  }
+
+  /// The standard error of Mean(), if the noise of a point's vertices is independent.
+  std::vector<double> MeanError(const std::vector<double>& errors) const
+  {
+    std::vector<double> error(this->Areas.size(), 0.0);
+    this->ForEach(
+      [&](std::size_t vertex, std::size_t point)
+      {
+        if (this->Areas[point] > 0.0)
+        {
+          error[point] = std::hypot(
+            error[point], errors[vertex] * (this->VertexAreas[vertex] / this->Areas[point]));
+        }
+      });
+    return error;
+  }
+
+private:
+  const SceneBlock& Block;
+  const std::vector<double>& VertexAreas;
+  std::vector<double> Areas;
+};
+
+#endif

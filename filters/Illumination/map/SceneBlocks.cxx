@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Illumination/map/SceneBlocks.h"
+
+#include "Illumination/materials/FacetMaterials.h"
+#include "Illumination/pipeline/InputError.h"
+#include "Illumination/surface/CellExitance.h"
+#include "Illumination/surface/ComputedNormals.h"
+#include "Illumination/surface/GhostPoints.h"
+#include "Illumination/surface/InputChecks.h"
+
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+
+namespace
+{
+
+std::string NameOf(const char* what, vtkIdType id, const SceneBlock& block)
+{
+  return what + (" " + std::to_string(id)) + block.name;
+}
+
+/// How many cells were none for being ghosts, as the end of a message.
+std::string GhostsOf(const std::vector<SceneBlock>& blocks)
+{
+  std::size_t ghosts = 0;
+  for (const SceneBlock& block : blocks)
+  {
+    ghosts += block.ghosts.number;
+  }
+  return ghosts == 0 ? ""
+                     : "; the array vtkGhostType marks " + std::to_string(ghosts) +
+      " cells as duplicate, refined or hidden, which are not part of the scene";
+}
+
+/// The vertices of a block's points, in the order of the points.
+std::vector<BorrowedVertex> VerticesByPoint(const SceneBlock& block)
+{
+  std::vector<BorrowedVertex> vertices;
+  for (std::size_t v = 0; v < block.pointOfVertex.size(); ++v)
+  {
+    vertices.push_back({ block.firstVertex + v, static_cast<std::size_t>(block.pointOfVertex[v]) });
+  }
+  std::stable_sort(vertices.begin(), vertices.end(),
+    [](const BorrowedVertex& a, const BorrowedVertex& b) { return a.point < b.point; });
+  return vertices;
+}
+
+/// Those of one point.
+std::vector<BorrowedVertex> VerticesOf(const std::vector<BorrowedVertex>& byPoint, vtkIdType point)
+{
+  const auto before = [](const BorrowedVertex& a, const BorrowedVertex& b)
+  { return a.point < b.point; };
+  const auto [first, last] = std::equal_range(
+    byPoint.begin(), byPoint.end(), BorrowedVertex{ 0, static_cast<std::size_t>(point) }, before);
+  return { first, last };
+}
+
+} // namespace
+
+SceneBlocks::SceneBlocks(vtkDataObject* data, const SurfaceDescription& description)
+{
+  this->All.metresPerUnit = description.metresPerUnit;
+  const SurfaceParts parts = PartsOf(data);
+  this->OtherBlocks = parts.others;
+  for (const NamedSurface& part : parts.surfaces)
+  {
+    this->Append(SceneBlock(part), description);
+  }
+  if (this->All.facets.empty())
+  {
+    throw InputError(
+      "the input has no polygons or triangle strips with an area to light" + GhostsOf(this->Unlit));
+  }
+  DescribeMaterials(this->Parts, description, this->All);
+  this->AppendUnlit();
+  this->LendVertices();
+}
+
+void SceneBlocks::Append(SceneBlock block, const SurfaceDescription& description)
+{
+  vtkDataArray* given = CheckedNormals(block.data, block.name);
+  const SurfaceTriangles triangles = TrianglesOf(block.data, given, block.name);
+  block.ghosts = triangles.ghosts;
+  block.withoutArea = triangles.withoutArea;
+  block.uncut = triangles.uncut;
+  if (triangles.mesh->GetNumberOfPolys() == 0)
+  {
+    if (HasSurface(block.data))
+    {
+      this->Unlit.push_back(std::move(block));
+    }
+    return;
+  }
+  block.normalsWereComputed = !given;
+  const vtkSmartPointer<vtkPolyData> mesh =
+    given ? triangles.mesh : WithNormals(triangles.mesh, description.featureAngle);
+  block.firstVertex = this->All.points.size();
+  block.firstFacet = this->All.facets.size();
+  block.pointOfVertex = PointsOfTriangles(mesh);
+  block.cellOfFacet = CellsOfTriangles(mesh);
+  AppendPoints(mesh, this->All.points);
+  this->AddNormals(mesh);
+  AppendFacets(mesh, block.firstVertex, this->All.facets);
+  if (!description.exitanceArray.empty())
+  {
+    this->AddExitance(block, description.exitanceArray);
+  }
+  this->Parts.push_back(std::move(block));
+}
+
+void SceneBlocks::AddNormals(vtkPolyData* mesh)
+{
+  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    glm::dvec3 normal;
+    normals->GetTuple(p, &normal.x);
+    this->All.normals.push_back(normal);
+  }
+}
+
+void SceneBlocks::AddExitance(const SceneBlock& block, const std::string& array)
+{
+  for (const PhotonTransport::Colour& exitance : ExitanceOf(block, array, block.cellOfFacet))
+  {
+    this->All.exitance.push_back(PhotonTransport::Luminous(exitance));
+    this->All.exitanceColour.push_back(exitance);
+  }
+}
+
+/// Blocks without a triangle get arrays as the others do, or the output would have them in part.
+void SceneBlocks::AppendUnlit()
+{
+  for (SceneBlock& block : this->Unlit)
+  {
+    block.firstVertex = this->All.points.size();
+    block.firstFacet = this->All.facets.size();
+    this->Parts.push_back(std::move(block));
+  }
+  this->Unlit.clear();
+}
+
+void SceneBlocks::LendVertices()
+{
+  const std::vector<GhostPoints> ghosts =
+    FindGhostPoints({ this->Parts.begin(), this->Parts.end() });
+  std::vector<std::vector<BorrowedVertex>> byPoint; // of each block
+  for (std::size_t b = 0; b < this->Parts.size() && !ghosts.empty(); ++b)
+  {
+    byPoint.push_back(VerticesByPoint(this->Parts[b]));
+  }
+  for (std::size_t b = 0; b < ghosts.size(); ++b)
+  {
+    SceneBlock& block = this->Parts[b];
+    block.ownerlessGhosts = ghosts[b].ownerless;
+    block.firstOwnerlessGhost = ghosts[b].firstOwnerless;
+    block.borrows.assign(static_cast<std::size_t>(block.data->GetNumberOfPoints()), false);
+    for (const GhostPoint& ghost : ghosts[b].owned)
+    {
+      const auto point = static_cast<std::size_t>(ghost.point);
+      block.borrows[point] = true;
+      for (const BorrowedVertex& v : VerticesOf(byPoint[ghost.ownerBlock], ghost.owner))
+      {
+        block.borrowed.push_back({ v.vertex, point });
+      }
+    }
+  }
+}
+
+std::string SceneBlocks::NameOfFacet(std::size_t facet) const
+{
+  const auto after = std::upper_bound(this->Parts.begin(), this->Parts.end(), facet,
+    [](std::size_t f, const SceneBlock& block) { return f < block.firstFacet; });
+  const SceneBlock& block = *(after - 1);
+  return NameOf("cell", block.cellOfFacet[facet - block.firstFacet], block);
+}
+
+std::string SceneBlocks::NameOfVertex(std::size_t vertex) const
+{
+  const auto after = std::upper_bound(this->Parts.begin(), this->Parts.end(), vertex,
+    [](std::size_t v, const SceneBlock& block) { return v < block.firstVertex; });
+  const SceneBlock& block = *(after - 1);
+  return NameOf("point", block.pointOfVertex[vertex - block.firstVertex], block);
+}

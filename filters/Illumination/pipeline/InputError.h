@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef InputError_h
+#define InputError_h
+
+#include <stdexcept>
+
+/// Thrown for input that can't be used; what() is the whole message for the user.
+class InputError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+#endif

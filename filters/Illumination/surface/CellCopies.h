@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CellCopies_h
+#define CellCopies_h
+
+#include "vtkType.h"
+
+#include <vector>
+
+class vtkCellArray;
+
+/// For each cell the first one with the same corners in the same order but for their start.
+std::vector<vtkIdType> FirstOfCopies(vtkCellArray* cells);
+
+#endif

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SurfaceDescription_h
+#define SurfaceDescription_h
+
+#include "PhotonTransport/materials/Material.h"
+
+#include <string>
+
+/// What the arrays and properties say about the surface.
+struct SurfaceDescription
+{
+  PhotonTransport::Material material; ///< Where no array says otherwise.
+  std::string reflectanceArray;       ///< Empty: DiffuseReflectance, where materialArrays.
+  bool materialArrays = true;         ///< Whether arrays named as MaterialProperties count.
+  std::string exitanceArray;          ///< Empty: nothing emits.
+  double metresPerUnit = 1.0;
+  double featureAngle = 30.0; ///< Degrees.
+};
+
+#endif

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The properties of vtkIlluminationMap in the core's terms.
+#include "vtkIlluminationMap.h"
+
+#include "Illumination/luminaires/LuminaireFields.h"
+#include "Illumination/luminaires/LuminaireInput.h"
+#include "Illumination/pipeline/InputError.h"
+#include "Illumination/pipeline/Pipeline.h"
+#include "Illumination/surface/SurfaceDescription.h"
+
+#include "PhotonTransport/lights/Lamp.h"
+#include "PhotonTransport/transport/IlluminationRun.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <utility>
+
+namespace
+{
+
+glm::dvec3 Vector(const double v[3])
+{
+  return { v[0], v[1], v[2] };
+}
+
+float Checked(double value, double least, double most, const char* property)
+{
+  if (!(value >= least && value <= most)) // NaN too
+  {
+    std::ostringstream message;
+    message << property << " is " << value << "; it must be within [" << least << ", " << most
+            << "]";
+    throw InputError(message.str());
+  }
+  return static_cast<float>(value);
+}
+
+/// Refuses numbers below 0, which the core's unsigned types can't hold. The core refuses 0.
+template <typename Unsigned, typename Signed>
+Unsigned Count(Signed value, const char* what)
+{
+  if (value < 0)
+  {
+    throw InputError(
+      "the " + std::string(what) + " is " + std::to_string(value) + "; it must be 1 or more");
+  }
+  return static_cast<Unsigned>(value);
+}
+
+PhotonTransport::Lamp LampOf(vtkIlluminationMap* filter)
+{
+  const glm::dvec3 position = Vector(filter->GetLampPosition());
+  const glm::dvec3 direction = Vector(filter->GetLampDirection());
+  const double* size = filter->GetLampSize();
+  const double flux = filter->GetLuminousFlux();
+  switch (filter->GetLampType())
+  {
+    case vtkIlluminationMap::POINT:
+      return PhotonTransport::PointLamp{ position, flux };
+    case vtkIlluminationMap::LAMBERTIAN_POINT:
+      return PhotonTransport::LambertianPointLamp{ position, direction, flux };
+    case vtkIlluminationMap::SPOT:
+      return PhotonTransport::SpotLamp{ position, direction,
+        vtkMath::RadiansFromDegrees(filter->GetSpotHalfAngle()), filter->GetSpotExponent(), flux };
+    case vtkIlluminationMap::RECTANGLE:
+      return PhotonTransport::RectangleLamp{ position, direction, size[0], size[1], flux };
+    case vtkIlluminationMap::DISK:
+      return PhotonTransport::DiskLamp{ position, direction, size[0], flux };
+    case vtkIlluminationMap::EMITTING_FACETS:
+      return PhotonTransport::EmittingFacets{};
+    default:
+      return PhotonTransport::ParallelLight{ direction, filter->GetParallelIlluminance() };
+  }
+}
+
+bool IsBlank(const std::string& name)
+{
+  return name.find_first_not_of(" \t\r\n") == std::string::npos;
+}
+
+/// Makes names unique and not blank, such as "Lamp 2" and "Spot (2)". The first luminaire with a
+/// given name keeps it.
+void GiveNames(std::vector<PhotonTransport::Luminaire>& luminaires)
+{
+  std::set<std::string> taken;
+  std::vector<std::size_t> rest;
+  for (std::size_t i = 0; i < luminaires.size(); ++i)
+  {
+    if (IsBlank(luminaires[i].name) || !taken.insert(luminaires[i].name).second)
+    {
+      rest.push_back(i);
+    }
+  }
+  for (const std::size_t i : rest)
+  {
+    std::string& name = luminaires[i].name;
+    const std::string wanted = IsBlank(name) ? "Lamp " + std::to_string(i + 1) : name;
+    name = wanted;
+    for (int copy = 2; !taken.insert(name).second; ++copy)
+    {
+      name = wanted + " (" + std::to_string(copy) + ")";
+    }
+  }
+}
+
+/// The material of cells that no array describes.
+PhotonTransport::Material MaterialOf(vtkIlluminationMap* filter)
+{
+  using PhotonTransport::Colour;
+  PhotonTransport::Material material;
+  const auto share = [](double value, const char* property)
+  { return Colour(Checked(value, 0.0, 1.0, property)); };
+  material.diffuseReflectance = share(filter->GetReflectance(), "Reflectance");
+  material.specularReflectance = share(filter->GetSpecularReflectance(), "SpecularReflectance");
+  material.glossyReflectance = share(filter->GetGlossyReflectance(), "GlossyReflectance");
+  material.diffuseTransmittance = share(filter->GetDiffuseTransmittance(), "DiffuseTransmittance");
+  material.clearTransmittance = share(filter->GetClearTransmittance(), "ClearTransmittance");
+  material.roughness = Checked(filter->GetRoughness(), 0.0, 1.0, "Roughness");
+  material.refractiveIndex = Checked(filter->GetRefractiveIndex(), 1.0, 4.0, "RefractiveIndex");
+  material.solid = filter->GetSolidBody();
+  return material;
+}
+
+PhotonTransport::Luminaire LuminaireOf(const LuminaireInput& input)
+{
+  std::optional<PhotonTransport::Luminaire> luminaire;
+  try
+  {
+    luminaire = ReadLuminaire(input.data);
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(input.name + ": " + error.what());
+  }
+  if (!luminaire)
+  {
+    throw InputError(input.name +
+      " is none: it has neither the field data of a luminaire nor a cell array 'Exitance'. "
+      "Luminaires lose theirs in filters like Append Geometry; Group Datasets keeps them");
+  }
+  return *std::move(luminaire);
+}
+
+PhotonTransport::ScatteringSet SwitchedOn(vtkIlluminationMap* filter)
+{
+  using PhotonTransport::Scattering;
+  const std::pair<Scattering, bool> switches[] = { { Scattering::DiffuseReflection,
+                                                     filter->GetInterreflection() },
+    { Scattering::SpecularReflection, filter->GetSpecularReflection() },
+    { Scattering::GlossyReflection, filter->GetGlossyReflection() },
+    { Scattering::DiffuseTransmission, filter->GetDiffuseTransmission() },
+    { Scattering::ClearTransmission, filter->GetClearTransmission() },
+    { Scattering::Refraction, filter->GetRefraction() } };
+  PhotonTransport::ScatteringSet set = 0;
+  for (const auto& [scattering, on] : switches)
+  {
+    set |= on ? SetOf(scattering) : 0u;
+  }
+  return set;
+}
+
+} // namespace
+
+PhotonTransport::Lighting vtkIlluminationMap::MakeLighting(const Luminaires& luminaires)
+{
+  if (luminaires.empty())
+  {
+    return LampOf(this);
+  }
+  PhotonTransport::Lighting lighting;
+  for (const LuminaireInput& input : luminaires)
+  {
+    lighting.luminaires.push_back(LuminaireOf(input));
+  }
+  GiveNames(lighting.luminaires);
+  return lighting;
+}
+
+PhotonTransport::TraceSettings vtkIlluminationMap::MakeTraceSettings()
+{
+  PhotonTransport::TraceSettings settings;
+  settings.seed = static_cast<std::uint32_t>(this->Seed);
+  settings.sampling = static_cast<PhotonTransport::Sampling>(this->Sampling);
+  settings.registration = static_cast<PhotonTransport::Registration>(this->Registration);
+  settings.scatterings = SwitchedOn(this);
+  settings.colour = this->Colour;
+  settings.registerBackSide = this->RegisterBackSide;
+  settings.lampsApart = this->LampContributions;
+  settings.weightBound = static_cast<float>(this->WeightBound);
+  settings.maximumPathLength = Count<std::uint32_t>(this->MaximumPathLength, "maximum path length");
+  settings.threads = this->NumberOfThreads;
+  return settings;
+}
+
+PhotonTransport::StopRules vtkIlluminationMap::MakeStopRules()
+{
+  PhotonTransport::StopRules rules;
+  const double photons = this->PhotonsAsDouble;
+  if (!std::isfinite(photons) || photons != std::floor(photons)) // the core refuses other ranges
+  {
+    std::ostringstream message;
+    message << "the number of photons is " << photons << "; it must be a whole number";
+    throw InputError(message.str());
+  }
+  rules.photons = Count<std::uint64_t>(this->Photons, "number of photons");
+  rules.relativeError = this->TargetRelativeError;
+  rules.seconds = this->TimeLimit;
+  return rules;
+}
+
+std::uint64_t vtkIlluminationMap::MemoryLimitInBytes()
+{
+  const double limit = this->MemoryLimit;
+  if (!(limit >= 0.0) || !std::isfinite(limit))
+  {
+    std::ostringstream message;
+    message << "MemoryLimit is " << limit << " GiB; it must be 0 (what the machine has) or more";
+    throw InputError(message.str());
+  }
+  // No machine has 2^33 GiB; and a limit, however small, is not 0.
+  const double bytes = std::min(limit, 0x1p33) * 0x1p30;
+  return static_cast<std::uint64_t>(std::ceil(bytes));
+}
+
+SurfaceDescription vtkIlluminationMap::DescribeSurface(bool otherLamps)
+{
+  SurfaceDescription description;
+  description.material = MaterialOf(this);
+  description.reflectanceArray = ArrayName(this->ReflectanceArray);
+  description.materialArrays = this->UseMaterialArrays;
+  if (this->LampType == EMITTING_FACETS && !otherLamps)
+  {
+    description.exitanceArray = ArrayName(this->ExitanceArray);
+    if (description.exitanceArray.empty())
+    {
+      throw InputError("emitting facets need an ExitanceArray (lm/m^2 per cell); none is named");
+    }
+  }
+  description.metresPerUnit = this->MetresPerUnit;
+  description.featureAngle = this->FeatureAngle;
+  if (std::isnan(description.featureAngle)) // all else is clamped when it is set
+  {
+    throw InputError("FeatureAngle is nan; it must be within [0, 180] degrees");
+  }
+  return description;
+}
