@@ -24,6 +24,8 @@ struct Ray
 
 constexpr std::uint32_t NoFacet = 0xffffffffu;
 constexpr std::uint32_t NoPart = 0xffffffffu;
+/// Stands for no part of a facet that shares its place with others, see Scene::FindSharers.
+constexpr std::uint32_t NoPartButShared = 0xfffffffeu;
 
 /// The first facet along a ray.
 struct Hit

@@ -52,7 +52,7 @@ Scene::Scene(const Surface& surface)
   this->RequireSize();
   std::vector<glm::vec3> positions = ScenePositions(surface, this->Place);
   this->AddFacets(surface, positions);
-  this->FindSharedPlaces(positions);
+  this->FindSharedPlaces(positions, surface.rounding);
   this->AddVertices(surface, positions);
   this->BuildBvh(std::move(positions));
   ThinGaps& gaps = this->Found.thinGaps;

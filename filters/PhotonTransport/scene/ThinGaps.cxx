@@ -76,7 +76,7 @@ private:
   {
     const Facet& facet = this->Surroundings.Facets()[f];
     const glm::vec3 middle(1.0f / 3.0f);
-    const glm::vec3 start = this->Surroundings.SafeOrigin(facet, middle, front);
+    const glm::vec3 start = this->Surroundings.SafeOrigin(f, middle, front);
     const float offset = OriginOffset * this->Surroundings.Reach(start);
     if (facet.marginPerOffset * offset > EdgeClearance / Narrow)
     {
