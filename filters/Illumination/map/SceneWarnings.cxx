@@ -29,16 +29,15 @@ std::string LeftToChanceText(
   const PhotonTransport::SharedPlaceNote& note, const SceneBlocks& blocks)
 {
   std::ostringstream text;
-  text << note.facets
-       << " triangles lie nearly in the plane of others that face the same way, such "
-       << "as those of " << blocks.NameOfFacet(note.first) << " and "
-       << blocks.NameOfFacet(note.second) << " (on " << note.squareMetres
-       << " m^2). They are at most " << note.apart
-       << " apart, too little to tell everywhere which is in front, and some get only part of the "
-          "light. Remove "
-          "one of the two surfaces, or move one by more than that. If rounding of the coordinates "
-          "has put them apart, move all data near the origin before they are rounded, or use "
-          "points of double precision";
+  text
+    << note.facets << " triangles lie nearly in the plane of others that face the same way, "
+    << "such as those of " << blocks.NameOfFacet(note.first) << " and "
+    << blocks.NameOfFacet(note.second) << " (on " << note.squareMetres << " m^2). They are at most "
+    << note.apart
+    << " apart, too little to tell everywhere which is in front, so chance shares the light out "
+       "between them. Remove one of the two surfaces, or move one by more than that. If rounding "
+       "of the coordinates has put them apart, move all data near the origin before they are "
+       "rounded, or use points of double precision";
   return text.str();
 }
 
