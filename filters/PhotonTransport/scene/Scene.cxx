@@ -49,10 +49,11 @@ Scene::Scene(const Surface& surface)
 {
   Validate(surface);
   this->Place = FitPlacement(surface.points, surface.facets);
+  this->Rounding = { this->Place.PointToScene(glm::dvec3(0.0)), surface.rounding };
   this->RequireSize();
   std::vector<glm::vec3> positions = ScenePositions(surface, this->Place);
   this->AddFacets(surface, positions);
-  this->FindSharedPlaces(positions, surface.rounding);
+  this->FindSharedPlaces(positions);
   this->AddVertices(surface, positions);
   this->BuildBvh(std::move(positions));
   ThinGaps& gaps = this->Found.thinGaps;

@@ -4,6 +4,7 @@
 #include "PhotonTransport/geometry/FacetRings.h"
 #include "PhotonTransport/geometry/Placement.h"
 #include "PhotonTransport/materials/Scattering.h"
+#include "PhotonTransport/scene/DataRounding.h"
 #include "PhotonTransport/scene/EmbreeScene.h"
 #include "PhotonTransport/scene/SharedPlaces.h"
 #include "PhotonTransport/scene/Surface.h"
@@ -146,7 +147,9 @@ public:
   /// Where a ray starts that leaves the point of a hit on the facet's front or back.
   glm::vec3 SafeOrigin(const Hit& hit, bool front) const;
   /// The same for any point of a facet, slower and a little less finely.
-  glm::vec3 SafeOrigin(std::uint32_t facet, const glm::vec3& barycentric, bool front) const;
+  /// @param lift Starts so much farther from the facet.
+  glm::vec3 SafeOrigin(
+    std::uint32_t facet, const glm::vec3& barycentric, bool front, float lift = 0.0f) const;
 
   /// Bring a record into the cache ahead of its use.
   void PrefetchFacet(const Hit& hit) const
@@ -185,6 +188,7 @@ public:
   /// Scene area times this is in m^2.
   double SquareMetresPerSceneArea() const;
   const Placement& GetPlacement() const { return this->Place; }
+  const DataRounding& GetRounding() const { return this->Rounding; }
   const SceneNotes& Notes() const { return this->Found; }
 
 private:
@@ -198,7 +202,7 @@ private:
   Vertex MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const glm::vec3& position);
   glm::dvec3 NormalOfUse(
     std::uint32_t v, const glm::dvec3& givenNormal, const glm::dvec3& areaVectors);
-  void FindSharedPlaces(const std::vector<glm::vec3>& positions, double dataRounding);
+  void FindSharedPlaces(const std::vector<glm::vec3>& positions);
   void FinishNotesOnSharedPlaces();
   void MarkSharedPlace(const FacetOverlap& overlap);
   void NoteOverlap(SharedPlaceNote& note, const FacetOverlap& overlap) const;
@@ -214,6 +218,7 @@ private:
   void BuildBvh(std::vector<glm::vec3> positions);
 
   Placement Place;
+  DataRounding Rounding;
   double MetresPerUnit;
   float LeastReach = 0x1p-16f;
   std::vector<Facet> FacetRecords;

@@ -156,9 +156,8 @@ void Scene::JoinNearOverlaps(NearOverlaps& near)
     static_cast<std::size_t>(std::unique(facets.begin(), facets.end()) - facets.begin());
 }
 
-void Scene::FindSharedPlaces(const std::vector<glm::vec3>& positions, double dataRounding)
+void Scene::FindSharedPlaces(const std::vector<glm::vec3>& positions)
 {
-  const DataRounding rounding{ this->Place.PointToScene(glm::dvec3(0.0)), dataRounding };
   std::vector<FacetPlane> planes(this->FacetRecords.size());
   std::vector<glm::uvec3> facets(this->FacetRecords.size());
   ParallelFor(0, planes.size(),
@@ -168,15 +167,15 @@ void Scene::FindSharedPlaces(const std::vector<glm::vec3>& positions, double dat
       {
         const Facet& facet = this->FacetRecords[f];
         const glm::uvec3& ids = facet.vertices;
-        planes[f] =
-          PlaneOf(positions[ids.x], positions[ids.y], positions[ids.z], facet.normal, rounding);
+        planes[f] = PlaneOf(
+          positions[ids.x], positions[ids.y], positions[ids.z], facet.normal, this->Rounding);
         facets[f] = ids;
       }
     });
   const std::vector<PlaneMember> groups = SharedPlanes(planes);
   this->DoubleSheets = FacetsOfDoubleSheets(planes, groups);
   NearOverlaps near(positions, facets);
-  ForEachOverlap({ positions, facets, planes, groups, rounding },
+  ForEachOverlap({ positions, facets, planes, groups, this->Rounding },
     [&](const FacetOverlap& overlap)
     {
       if (overlap.excess <= 1.0)
@@ -225,6 +224,7 @@ void Scene::FindSharers(Hit& hit, std::vector<Sharer>& sharers) const
   }
   const double near = double{ SheetGap } * this->Reach(point) + double{ CornerGap };
   const double apart{ this->Apart[hit.facet] };
+  const float lift = hit.part == NoPartButLifted ? hit.inPart.x : 0.0f; // see FindFront
   const int axis = BestAxis(met.normal);
   const auto look = [&](std::uint32_t f)
   {
@@ -264,9 +264,10 @@ void Scene::FindSharers(Hit& hit, std::vector<Sharer>& sharers) const
     hit.barycentric = sharers.back().barycentric;
     hit.part = NoPart;
   }
-  if (this->Apart[hit.facet] > 0.0f)
+  if (this->Apart[hit.facet] > 0.0f || lift > 0.0f)
   {
-    hit.part = NoPartButShared;
+    hit.part = NoPartButLifted;
+    hit.inPart = glm::vec3(lift);
   }
 }
 

@@ -14,7 +14,8 @@ namespace PhotonTransport
 {
 
 /// Two sheets are in one place if they are this close, relative to the reach of a point
-/// (Scene::Reach): a ray's distance to a sheet is rounded by as much.
+/// (Scene::Reach): a ray's distance to a sheet is rounded by as much. The rounding of the data
+/// comes on top of that (DataRounding).
 constexpr float SheetGap = 0x1p-20f;
 
 /// Facets that overlap and face the same way may be farther apart by this, relative to the largest
