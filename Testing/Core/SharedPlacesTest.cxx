@@ -223,6 +223,28 @@ TEST(SharedPlaces, OnePlaneIsOneUpToTheRoundingOfTheData)
   }
 }
 
+// A wall drawn once for each side.
+TEST(SharedPlaces, BacksAreInOnePlaceUpToTheRoundingOfTheData)
+{
+  for (const glm::dvec3& shift : Shifts)
+  {
+    SCOPED_TRACE(shift.x);
+    Surface surface = Rounded(shift, true);
+    for (std::size_t p = 81; p < surface.points.size(); ++p) // the carpet's
+    {
+      surface.normals[p] = -surface.normals[p];
+    }
+    const Lit black(surface);
+    for (std::size_t v = 0; v < surface.points.size(); ++v)
+    {
+      EXPECT_NEAR(black.map.direct[v], v < 81 ? black.expected : 0.0, 0.3 * black.expected);
+    }
+    EXPECT_EQ(black.scene.Notes().thinGaps.number, 0u);
+    const Lit white(Shapes::WithReflectance(surface, 1.0f));
+    EXPECT_EQ(white.balance.segments, white.balance.emitted + black.balance.absorbed);
+  }
+}
+
 TEST(SharedPlaces, UnknownRoundingIsFoundOut)
 {
   for (const glm::dvec3& shift : { Shifts[1], Shifts[2] })

@@ -76,11 +76,10 @@ bool Scene::FindFront(const Ray& ray, Hit& hit) const
         chosen = f;
         hit.barycentric = *there;
         hit.part = NoPart;
-        const double above = glm::dot(point - corner(facet, 0), glm::dvec3(facet.normal));
-        if (above > near) // farther than rays start from the facet
+        if (gap > near) // the other sheet may be farther off than rays start
         {
           hit.part = NoPartButLifted;
-          hit.inPart = glm::vec3(static_cast<float>(above));
+          hit.inPart = glm::vec3(static_cast<float>(gap));
         }
       }
     }
