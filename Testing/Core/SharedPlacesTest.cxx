@@ -240,8 +240,14 @@ TEST(SharedPlaces, BacksAreInOnePlaceUpToTheRoundingOfTheData)
       EXPECT_NEAR(black.map.direct[v], v < 81 ? black.expected : 0.0, 0.3 * black.expected);
     }
     EXPECT_EQ(black.scene.Notes().thinGaps.number, 0u);
+    // What leaves the floor stays above both, but for light that gets under the carpet's rim, which
+    // lies up to twice the rounding above the floor, and is caught there.
     const Lit white(Shapes::WithReflectance(surface, 1.0f));
-    EXPECT_EQ(white.balance.segments, white.balance.emitted + black.balance.absorbed);
+    const double rim = 2.0 * (0.4 * glm::length(U) + 0.35 * glm::length(V));
+    const double height = 2.0 * SingleHalfUnit * glm::length(shift + glm::dvec3(3.0));
+    const double caught =
+      rim * height / glm::length(glm::cross(U, V)) * static_cast<double>(black.balance.absorbed);
+    EXPECT_LE(static_cast<double>(white.balance.cutOff), caught + 4.0 * std::sqrt(caught));
   }
 }
 
