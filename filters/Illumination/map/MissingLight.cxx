@@ -35,10 +35,8 @@ double Share(std::uint64_t part, std::uint64_t whole)
 /// Whether a lamp's light starts over the whole scene: parallel light and skies.
 bool ComesFromOutside(const Luminaire& luminaire)
 {
-  const PhotonTransport::Lamp& lamp = luminaire.lamp;
-  return std::holds_alternative<PhotonTransport::ParallelLight>(lamp) ||
-    std::holds_alternative<PhotonTransport::UniformSky>(lamp) ||
-    std::holds_alternative<PhotonTransport::CieSky>(lamp);
+  const PhotonTransport::LampClass kind = ClassOf(luminaire.lamp);
+  return kind == PhotonTransport::LampClass::Parallel || kind == PhotonTransport::LampClass::Sky;
 }
 
 enum class Loss
