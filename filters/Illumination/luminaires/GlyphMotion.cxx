@@ -91,9 +91,9 @@ Fit BestFit(const Points& was, const Points& is)
 
 } // namespace
 
-PhotonTransport::Motion FindMotion(const Points& was, const Points& is)
+PhotonTransport::Similarity FindMotion(const Points& was, const Points& is)
 {
-  PhotonTransport::Motion motion;
+  PhotonTransport::Similarity motion;
   if (was == is)
   {
     return motion;

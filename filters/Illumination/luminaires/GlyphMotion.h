@@ -3,7 +3,7 @@
 #ifndef GlyphMotion_h
 #define GlyphMotion_h
 
-#include "PhotonTransport/geometry/Motion.h"
+#include "PhotonTransport/geometry/Similarity.h"
 
 #include <vector>
 
@@ -13,7 +13,7 @@
 /// equally well, as for points on a plane or a line, the rotation is taken. Throws InputError if no
 /// such motion fits.
 /// @param was, is As many points each.
-PhotonTransport::Motion FindMotion(
+PhotonTransport::Similarity FindMotion(
   const std::vector<glm::dvec3>& was, const std::vector<glm::dvec3>& is);
 
 #endif

@@ -68,7 +68,7 @@ Luminaire ReadFields(const FieldReader& fields)
   RefuseField(Type, "is '" + type + "'; known types are " + known);
 }
 
-void Move(Lamp& lamp, const Motion& motion)
+void Move(Lamp& lamp, const Similarity& motion)
 {
   if (!motion.isNone)
   {

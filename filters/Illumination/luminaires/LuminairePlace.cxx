@@ -169,7 +169,7 @@ void RememberPlace(vtkPolyData* glyph)
     glyph->GetFieldData(), GlyphArray, std::vector<double>{ key, measure.area, measure.length });
 }
 
-PhotonTransport::Motion MotionOf(vtkPolyData* glyph)
+PhotonTransport::Similarity MotionOf(vtkPolyData* glyph)
 {
   if (!glyph->GetFieldData()->HasArray(GlyphArray) && !HasLuminairePoints(glyph))
   {

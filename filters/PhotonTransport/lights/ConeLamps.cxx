@@ -9,13 +9,13 @@
 namespace PhotonTransport
 {
 
-void LambertianPointLamp::Move(const Motion& motion)
+void LambertianPointLamp::Move(const Similarity& motion)
 {
   this->position = motion.Point(this->position);
   this->direction = motion.Direction(this->direction);
 }
 
-void SpotLamp::Move(const Motion& motion)
+void SpotLamp::Move(const Similarity& motion)
 {
   this->position = motion.Point(this->position);
   this->direction = motion.Direction(this->direction);

@@ -31,7 +31,7 @@ struct PointLamp
     fields("LuminousFlux", this->flux);
   }
   std::optional<glm::dvec3> Place() const { return this->position; }
-  void Move(const Motion& motion) { this->position = motion.Point(this->position); }
+  void Move(const Similarity& motion) { this->position = motion.Point(this->position); }
   LampNotes Notes(const std::string&) const { return {}; }
   Prepared<ConeEmitter> Prepare(const Scene& scene) const;
 };
@@ -53,7 +53,7 @@ struct LambertianPointLamp
     fields("LuminousFlux", this->flux);
   }
   std::optional<glm::dvec3> Place() const { return this->position; }
-  void Move(const Motion& motion);
+  void Move(const Similarity& motion);
   LampNotes Notes(const std::string&) const { return {}; }
   Prepared<ConeEmitter> Prepare(const Scene& scene) const;
 };
@@ -79,7 +79,7 @@ struct SpotLamp
     fields("LuminousFlux", this->flux);
   }
   std::optional<glm::dvec3> Place() const { return this->position; }
-  void Move(const Motion& motion);
+  void Move(const Similarity& motion);
   LampNotes Notes(const std::string&) const { return {}; }
   Prepared<ConeEmitter> Prepare(const Scene& scene) const;
 };

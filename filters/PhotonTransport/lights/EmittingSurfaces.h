@@ -43,7 +43,7 @@ struct EmittingFacets
   {
   }
   std::optional<glm::dvec3> Place() const { return std::nullopt; }
-  void Move(const Motion&) {} // it is where its points are
+  void Move(const Similarity&) {} // it is where its points are
   LampNotes Notes(const std::string&) const { return {}; }
   Prepared<FacetEmitter> Prepare(const Scene& scene) const;
 };
@@ -64,7 +64,7 @@ struct EmittingMesh
   }
   /// The mean of the points.
   std::optional<glm::dvec3> Place() const;
-  void Move(const Motion&) {} // it is where its points are
+  void Move(const Similarity&) {} // it is where its points are
   LampNotes Notes(const std::string& name) const;
   Prepared<MeshEmitter> Prepare(const Scene& scene) const;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/lights/LampChecks.h"
 
-#include "PhotonTransport/geometry/Motion.h"
+#include "PhotonTransport/geometry/Similarity.h"
 #include "PhotonTransport/lights/Clearance.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 

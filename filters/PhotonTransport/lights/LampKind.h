@@ -15,7 +15,7 @@
 #pragma once
 
 #include "PhotonTransport/geometry/Frame.h"
-#include "PhotonTransport/geometry/Motion.h"
+#include "PhotonTransport/geometry/Similarity.h"
 #include "PhotonTransport/sampling/PhotonSample.h"
 #include "PhotonTransport/scene/Scene.h"
 

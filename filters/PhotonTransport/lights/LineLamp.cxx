@@ -10,7 +10,7 @@
 namespace PhotonTransport
 {
 
-void LineLamp::Move(const Motion& motion)
+void LineLamp::Move(const Similarity& motion)
 {
   this->centre = motion.Point(this->centre);
   this->axis = motion.Direction(this->axis);

@@ -34,7 +34,7 @@ struct LineLamp
     fields("LuminousFlux", this->flux);
   }
   std::optional<glm::dvec3> Place() const { return this->centre; }
-  void Move(const Motion& motion);
+  void Move(const Similarity& motion);
   LampNotes Notes(const std::string&) const { return {}; }
   Prepared<LineEmitter> Prepare(const Scene& scene) const;
 };

@@ -53,7 +53,7 @@ RectangleLamp::PanelAxes RectangleLamp::Axes() const
   return { aim, alongWidth, glm::cross(aim, alongWidth) };
 }
 
-void RectangleLamp::Move(const Motion& motion)
+void RectangleLamp::Move(const Similarity& motion)
 {
   this->across = motion.Direction(this->Axes().width);
   this->centre = motion.Point(this->centre);
@@ -62,7 +62,7 @@ void RectangleLamp::Move(const Motion& motion)
   this->height *= motion.scale;
 }
 
-void DiskLamp::Move(const Motion& motion)
+void DiskLamp::Move(const Similarity& motion)
 {
   this->centre = motion.Point(this->centre);
   this->direction = motion.Direction(this->direction);

@@ -52,7 +52,7 @@ struct RectangleLamp
     fields("LuminousFlux", this->flux);
   }
   std::optional<glm::dvec3> Place() const { return this->centre; }
-  void Move(const Motion& motion);
+  void Move(const Similarity& motion);
   LampNotes Notes(const std::string&) const { return {}; }
   Prepared<PanelEmitter> Prepare(const Scene& scene) const;
 };
@@ -76,7 +76,7 @@ struct DiskLamp
     fields("LuminousFlux", this->flux);
   }
   std::optional<glm::dvec3> Place() const { return this->centre; }
-  void Move(const Motion& motion);
+  void Move(const Similarity& motion);
   LampNotes Notes(const std::string&) const { return {}; }
   Prepared<PanelEmitter> Prepare(const Scene& scene) const;
 };

@@ -30,7 +30,7 @@ struct ParallelLight
     fields("LuminaireIlluminance", this->illuminance);
   }
   std::optional<glm::dvec3> Place() const { return std::nullopt; }
-  void Move(const Motion& motion) { this->direction = motion.Direction(this->direction); }
+  void Move(const Similarity& motion) { this->direction = motion.Direction(this->direction); }
   LampNotes Notes(const std::string&) const { return {}; }
   Prepared<ParallelEmitter> Prepare(const Scene& scene) const;
 };

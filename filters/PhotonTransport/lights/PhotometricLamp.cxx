@@ -115,7 +115,7 @@ PhotometricLamp::LampAxes AxesOf(const glm::dvec3& aim, double rotation)
 
 } // namespace
 
-std::string NameOf(PhotometricSolid::Type type)
+std::string SolidTypeName(PhotometricSolid::Type type)
 {
   const char* names[] = { "C", "B", "A" }; // as PhotometricSolid::Type counts
   return names[static_cast<int>(type)];
@@ -161,7 +161,7 @@ PhotometricLamp::LampAxes PhotometricLamp::Axes() const
   return AxesOf(CheckedDirection(this->direction), this->rotation);
 }
 
-void PhotometricLamp::Move(const Motion& motion)
+void PhotometricLamp::Move(const Similarity& motion)
 {
   const MirrorSymmetry same =
     motion.mirrors ? SymmetryOf(this->solid) : MirrorSymmetry{ true, true };

@@ -21,7 +21,7 @@ struct TableEmitter
 };
 
 /// The names of PhotometricSolid::Type in fields.
-std::string NameOf(PhotometricSolid::Type type);
+std::string SolidTypeName(PhotometricSolid::Type type);
 
 /// Calls `refuse` with the name of a field and what is wrong with it, where that breaks a promise
 /// of PhotometricSolid.
@@ -32,14 +32,14 @@ void CheckFields(const PhotometricSolid& solid,
 template <typename Fields>
 void DescribeFields(const Fields& fields, PhotometricSolid& solid)
 {
-  std::string type = NameOf(solid.type);
+  std::string type = SolidTypeName(solid.type);
   fields("PhotometricType", type);
   solid.type = PhotometricSolid::Type::C;
   for (const auto known : { PhotometricSolid::Type::B, PhotometricSolid::Type::A })
   {
-    solid.type = type == NameOf(known) ? known : solid.type;
+    solid.type = type == SolidTypeName(known) ? known : solid.type;
   }
-  if (type != NameOf(solid.type))
+  if (type != SolidTypeName(solid.type))
   {
     fields.Refuse("PhotometricType", "is '" + type + "'; C, B and A are known");
   }
@@ -93,7 +93,7 @@ struct PhotometricLamp
   std::optional<glm::dvec3> Place() const { return this->position; }
   /// Throws InvalidInput if the motion mirrors intensities that are symmetric neither left and
   /// right nor fore and aft.
-  void Move(const Motion& motion);
+  void Move(const Similarity& motion);
   LampNotes Notes(const std::string& name) const;
   Prepared<TableEmitter> Prepare(const Scene& scene) const;
 };

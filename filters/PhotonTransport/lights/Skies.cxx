@@ -108,7 +108,7 @@ Prepared<SkyEmitter> UniformSky::Prepare(const Scene& scene) const
     CheckedAmount(this->luminance, "luminance") * CrossSection(radius, scene) * solidAngle };
 }
 
-void CieSky::Move(const Motion& motion)
+void CieSky::Move(const Similarity& motion)
 {
   this->up = motion.Direction(this->up);
   this->sun = motion.Direction(this->sun);

@@ -44,7 +44,7 @@ struct UniformSky
     fields("SkyIsWholeSphere", this->wholeSphere);
   }
   std::optional<glm::dvec3> Place() const { return std::nullopt; }
-  void Move(const Motion& motion) { this->up = motion.Direction(this->up); }
+  void Move(const Similarity& motion) { this->up = motion.Direction(this->up); }
   LampNotes Notes(const std::string&) const { return {}; }
   Prepared<SkyEmitter> Prepare(const Scene& scene) const;
 };
@@ -68,7 +68,7 @@ struct CieSky
     fields("LuminaireIlluminance", this->horizontalIlluminance);
   }
   std::optional<glm::dvec3> Place() const { return std::nullopt; }
-  void Move(const Motion& motion);
+  void Move(const Similarity& motion);
   LampNotes Notes(const std::string&) const { return {}; }
   Prepared<TableSkyEmitter> Prepare(const Scene& scene) const;
 

@@ -7,7 +7,7 @@
 namespace PhotonTransport
 {
 
-void SphereLamp::Move(const Motion& motion)
+void SphereLamp::Move(const Similarity& motion)
 {
   this->centre = motion.Point(this->centre);
   this->radius *= motion.scale;

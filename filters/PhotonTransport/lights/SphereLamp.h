@@ -31,7 +31,7 @@ struct SphereLamp
     fields("LuminousFlux", this->flux);
   }
   std::optional<glm::dvec3> Place() const { return this->centre; }
-  void Move(const Motion& motion);
+  void Move(const Similarity& motion);
   LampNotes Notes(const std::string&) const { return {}; }
   Prepared<SphereEmitter> Prepare(const Scene& scene) const;
 };

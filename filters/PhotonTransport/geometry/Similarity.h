@@ -57,7 +57,7 @@ private:
 };
 
 /// A rotation, a translation, a uniform scale, and perhaps a mirror image.
-struct Motion
+struct Similarity
 {
   bool isNone = true;       ///< Every point is where it was, to the last bit.
   bool mirrors = false;     ///< Left and right change places.
