@@ -49,6 +49,21 @@ vtkSmartPointer<vtkPolyData> Table()
   return table->GetOutput();
 }
 
+/// The room with one of its six faces, of 4 points each, facing the other way: 0 and 1 are walls, 4
+/// is the floor.
+vtkSmartPointer<vtkPolyData> RoomWithFaceTurned(int face)
+{
+  vtkSmartPointer<vtkPolyData> room = Room(true);
+  vtkDataArray* normals = room->GetPointData()->GetNormals();
+  for (vtkIdType point = 4 * face; point < 4 * face + 4; ++point)
+  {
+    double n[3];
+    normals->GetTuple(point, n);
+    normals->SetTuple3(point, -n[0], -n[1], -n[2]);
+  }
+  return room;
+}
+
 struct Case
 {
   const char* name;
@@ -116,6 +131,33 @@ std::vector<Case> Cases()
     { "the outside of a box by default", Room(false), [](Map*) {}, "" },
     { "a table by default", Table(), [](Map*) {}, "" },
     { "a lamp over a table", Table(), overTable, "" },
+    { "a lamp high over a table", Table(), [](Map* map) { Point(map, 0.0, 0.0, 2.0); }, "" },
+    { "light on the ceiling above a floor that looks down", RoomWithFaceTurned(4),
+      [](Map* map)
+      {
+        Spot(map, 1.0, 1.0);
+        map->SetReflectance(0.8);
+      },
+      "of the scattered light that met the surface fell on backs" },
+    { "a panel through the ceiling of a dark room", Room(true),
+      [](Map* map)
+      {
+        map->SetLampType(Map::RECTANGLE);
+        map->SetLampPosition(2.0, 2.0, 2.95);
+        map->SetLampDirection(0.25, 0.0, -1.0);
+        map->SetLampSize(1.0, 1.0);
+        map->SetReflectance(0.0);
+      },
+      "of the lamp" },
+    { "the same, in a room that scatters", Room(true),
+      [](Map* map)
+      {
+        map->SetLampType(Map::RECTANGLE);
+        map->SetLampPosition(2.0, 2.0, 2.95);
+        map->SetLampDirection(0.25, 0.0, -1.0);
+        map->SetLampSize(1.0, 1.0);
+      },
+      "of the lamp" },
     { "light along a table", Table(), [](Map* map) { map->SetLampDirection(1.0, 0.0, 0.0); },
       "met no facet" },
     { "a table from below", Table(), [](Map* map) { map->SetLampDirection(0.0, 0.0, 1.0); },
@@ -127,6 +169,15 @@ std::vector<Case> Cases()
         map->SetPhotons(10000000000);
       },
       "TargetRelativeError can't be met" },
+    { "a target on backs that are registered", Room(false),
+      [=](Map* map)
+      {
+        inside(map);
+        map->RegisterBackSideOn();
+        map->SetTargetRelativeError(0.01);
+        map->SetPhotons(2 << 20);
+      },
+      "" },
     { "a lamp of 0 lm", Room(true),
       [=](Map* map)
       {

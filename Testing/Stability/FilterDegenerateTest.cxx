@@ -184,6 +184,41 @@ TEST_F(FilterDegenerate, AnywhereInARandomRoomChangeNoBit)
   }
 }
 
+// In a text file with few digits a point of an edge does not lie on it, and a triangle of three such
+// points has an area. It is the first cell, has no normals, and decides nothing for its neighbours.
+TEST_F(FilterDegenerate, SliversOfRoundedPointsTurnNothing)
+{
+  double mostOnBacks = 0.0;
+  for (unsigned seed = 0; seed < 40; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Mesh room = RandomRoom(seed);
+    const double digits = std::pow(10.0, 3.0 + seed % 6);
+    const auto rounded = [&](double x) { return std::round(x * digits) / digits; };
+    const Cell wall = room.polygons[seed % room.polygons.size()];
+    const Point a = room.points[static_cast<std::size_t>(wall.corners[0])];
+    const Point b = room.points[static_cast<std::size_t>(wall.corners[1])];
+    room.points.push_back({ 0.7 * a.x + 0.3 * b.x, 0.7 * a.y + 0.3 * b.y, 0.7 * a.z + 0.3 * b.z });
+    for (Point& point : room.points)
+    {
+      point = { rounded(point.x), rounded(point.y), rounded(point.z) };
+    }
+    const auto between = static_cast<vtkIdType>(room.points.size() - 1);
+    const bool turned = seed % 2 == 0;
+    room.polygons.insert(room.polygons.begin(),
+      { { wall.corners[turned ? 1 : 0], between, wall.corners[turned ? 0 : 1] }, 0.5 });
+    const auto map = this->MapOf(room, false, false);
+    const double onBacks = map->GetFieldData()->GetArray("FluxOnBacks")->GetTuple1(0);
+    const double emitted = map->GetFieldData()->GetArray("EmittedFlux")->GetTuple1(0);
+    // The sliver's own back is about its height, a digit's rounding, times its length.
+    EXPECT_LE(onBacks, 0.01 * emitted);
+    mostOnBacks = std::max(mostOnBacks, onBacks / emitted);
+  }
+  char text[96];
+  std::snprintf(text, sizeof text, "at most %.1e of the light on backs in 40 rooms", mostOnBacks);
+  this->Measured(text);
+}
+
 TEST_F(FilterDegenerate, RepeatedCornersOfPolygonsChangeNoBit)
 {
   for (unsigned seed = 0; seed < 8; ++seed)

@@ -3,6 +3,7 @@
 
 #include "Illumination/luminaires/LuminaireInput.h"
 #include "Illumination/map/IlluminationArrays.h"
+#include "Illumination/map/LightLosses.h"
 #include "Illumination/map/MissingLight.h"
 #include "Illumination/map/SceneBlocks.h"
 #include "Illumination/map/SceneWarnings.h"

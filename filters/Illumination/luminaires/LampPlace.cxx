@@ -38,12 +38,6 @@ std::optional<glm::dvec3> PlaceOf(const PhotonTransport::Lamp& lamp)
   return std::visit([](const auto& l) { return l.Place(); }, lamp);
 }
 
-bool IsFar(const glm::dvec3& place, const Box& box)
-{
-  const glm::dvec3 nearest = glm::clamp(place, box.least, box.most);
-  return glm::distance(place, nearest) > glm::distance(box.least, box.most);
-}
-
 std::string HintOnUnits(const glm::dvec3& place, const Box& box)
 {
   struct Unit
@@ -58,11 +52,15 @@ std::string HintOnUnits(const glm::dvec3& place, const Box& box)
     { 0.3048, "times 0.3048, as from feet to metres" },
     { 1e3, "times 1000, as from metres to millimetres" },
     { 1e2, "times 100, as from metres to centimetres" } };
-  if (IsFar(place, box))
+  // How far outside the surface a lamp is whose unit is wrong: about as many times its size as the
+  // units differ. A lamp that is not so far may well be meant to be there.
+  const double size = glm::distance(box.least, box.most);
+  const double distance = glm::distance(place, glm::clamp(place, box.least, box.most));
+  if (distance > size)
   {
     for (const Unit& unit : Units)
     {
-      if (IsIn(unit.times * place, box))
+      if (IsIn(unit.times * place, box) && distance * unit.times > 0.1 * size)
       {
         return std::string(" The lamp's position ") + unit.words + ", is within the surface's box.";
       }

@@ -24,11 +24,8 @@ Box BoxOf(const PhotonTransport::Surface& surface);
 /// parallel light, skies and the surface's own facets.
 std::optional<glm::dvec3> PlaceOf(const PhotonTransport::Lamp& lamp);
 
-/// Whether the place is farther from the box than the box's diagonal is long.
-bool IsFar(const glm::dvec3& place, const Box& box);
-
-/// For a place that is far from the box and would be in it in another unit of length, a sentence
-/// that says so; otherwise empty.
+/// For a place that is as far from the box as a lamp would be whose position is in another unit of
+/// length, and would be in the box in that unit, a sentence that says so; otherwise empty.
 std::string HintOnUnits(const glm::dvec3& place, const Box& box);
 
 #endif

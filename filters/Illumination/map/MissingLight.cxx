@@ -2,15 +2,16 @@
 #include "Illumination/map/MissingLight.h"
 
 #include "Illumination/luminaires/LampPlace.h"
+#include "Illumination/map/LightLosses.h"
 #include "Illumination/map/SceneBlocks.h"
 #include "Illumination/pipeline/FieldArrays.h"
 
 #include "vtkFieldData.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <sstream>
-#include <variant>
 
 namespace
 {
@@ -20,85 +21,9 @@ using PhotonTransport::IlluminationRun;
 using PhotonTransport::Luminaire;
 
 /// See MissingLight.
-constexpr double MostOnBacks = 0.1;
-constexpr double MostEscaped = 0.99;
-constexpr double MostEscapedFromAfar = 0.9;
-constexpr double MostEscapedFromClosed = 0.1;
-constexpr double WorthANote = 0.1;
-constexpr double LeastOfOutdoorLight = 1e-4;
-
-double Share(std::uint64_t part, std::uint64_t whole)
-{
-  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
-}
-
-/// Whether a lamp's light starts over the whole scene: parallel light and skies.
-bool ComesFromOutside(const Luminaire& luminaire)
-{
-  const PhotonTransport::LampClass kind = ClassOf(luminaire.lamp);
-  return kind == PhotonTransport::LampClass::Parallel || kind == PhotonTransport::LampClass::Sky;
-}
-
-enum class Loss
-{
-  None,
-  OnBacks,       ///< Of a lamp in the scene.
-  Escaped,       ///< Of a lamp in the scene.
-  OutsideClosed, ///< Light from outside fell on backs.
-  OutsideMissed  ///< Light from outside met nothing.
-};
-
-/// Whether the surface is closed, so that fronts see nothing but the surface: less than one in a
-/// thousand of at least a thousand scattered photons left the scene. From those that left, the
-/// photons are subtracted that missed the surface or first arrived on a back. A surface that
-/// scatters fewer photons is not taken to be closed.
-bool IsClosed(const IlluminationRun& run)
-{
-  const PhotonTransport::PhotonBalance balance = run.Balance();
-  std::uint64_t fromOutside = 0;
-  for (const Arrivals& lamp : run.ArrivalsByLamp())
-  {
-    fromOutside += lamp.escaped + lamp.back;
-  }
-  const std::uint64_t scattered = balance.segments - balance.emitted;
-  const std::uint64_t escaped = balance.escaped - std::min(balance.escaped, fromOutside);
-  constexpr std::uint64_t Enough = 1000;
-  return scattered >= Enough && escaped * Enough < scattered;
-}
-
-/// What a lamp's light meets.
-struct Surroundings
-{
-  Box surface;
-  bool closed;
-  bool backSide; ///< Whether backs are registered.
-};
-
-Loss LossOf(const Luminaire& luminaire, const Arrivals& lamp, const Surroundings& around)
-{
-  const std::uint64_t onBacks = around.backSide ? 0 : lamp.back;
-  const std::uint64_t met = lamp.Emitted() - lamp.escaped;
-  if (ComesFromOutside(luminaire))
-  {
-    if (met == 0 && lamp.escaped > 0)
-    {
-      return Loss::OutsideMissed;
-    }
-    const bool closed = Share(lamp.front, met) < LeastOfOutdoorLight && 2 * onBacks > met;
-    return closed ? Loss::OutsideClosed : Loss::None;
-  }
-  const std::optional<glm::dvec3> place = PlaceOf(luminaire.lamp);
-  const double escaped = Share(lamp.escaped, lamp.Emitted());
-  if (escaped > (place && IsFar(*place, around.surface) ? MostEscapedFromAfar : MostEscaped))
-  {
-    return Loss::Escaped;
-  }
-  if (Share(onBacks, met) > MostOnBacks)
-  {
-    return Loss::OnBacks;
-  }
-  return around.closed && escaped > MostEscapedFromClosed ? Loss::Escaped : Loss::None;
-}
+constexpr double EscapedWorthANote = 0.1;
+constexpr double LostWorthANote = 0.01;
+constexpr double MostScatteredOnBacks = 0.1;
 
 template <typename... Parts>
 std::string Text(const Parts&... parts)
@@ -112,36 +37,6 @@ std::string Text(const Parts&... parts)
 std::string Text(const glm::dvec3& point)
 {
   return Text("(", point.x, ", ", point.y, ", ", point.z, ")");
-}
-
-/// All lamps that lost light in one way.
-struct Lost
-{
-  Arrivals sum;
-  std::vector<std::size_t> lamps;
-  std::size_t worst = 0; ///< Of the lamps.
-};
-
-Lost AllThatLost(Loss way, const TracedScene& traced)
-{
-  const std::vector<Arrivals> arrivals = traced.run.ArrivalsByLamp();
-  const Surroundings around{ BoxOf(traced.blocks.Surface()), IsClosed(traced.run),
-    traced.backSide };
-  const auto missing = [](const Arrivals& lamp) { return lamp.back + lamp.escaped; };
-  Lost lost;
-  for (std::size_t lamp = 0; lamp < arrivals.size(); ++lamp)
-  {
-    if (LossOf(traced.lighting.luminaires[lamp], arrivals[lamp], around) == way)
-    {
-      if (lost.lamps.empty() || missing(arrivals[lamp]) > missing(arrivals[lost.worst]))
-      {
-        lost.worst = lamp;
-      }
-      lost.lamps.push_back(lamp);
-      lost.sum += arrivals[lamp];
-    }
-  }
-  return lost;
 }
 
 /// "luminaire 'Spot'", "the lamp", "3 of 5 luminaires, first of all 'Spot',".
@@ -192,9 +87,9 @@ const char* const TurnNormals =
   "turn the normals (vtkPolyDataNormals, in ParaView Generate Surface Normals or Surface Normals, "
   "with FlipNormals)";
 
-std::string TextOnBacks(const TracedScene& traced)
+std::string TextOnBacks(const TracedScene& traced, const std::vector<Loss>& losses)
 {
-  const Lost lost = AllThatLost(Loss::OnBacks, traced);
+  const Lost lost = AllThatLost(Loss::OnBacks, losses, traced);
   if (lost.lamps.empty())
   {
     return "";
@@ -210,9 +105,9 @@ std::string TextOnBacks(const TracedScene& traced)
     Places(lost, traced);
 }
 
-std::string TextOnEscaped(const TracedScene& traced)
+std::string TextOnEscaped(const TracedScene& traced, const std::vector<Loss>& losses)
 {
-  const Lost lost = AllThatLost(Loss::Escaped, traced);
+  const Lost lost = AllThatLost(Loss::Escaped, losses, traced);
   return lost.lamps.empty()
     ? ""
     : Amount(lost.sum.escaped, lost.sum.Emitted(), traced) + " of " + NameOf(lost, traced) +
@@ -221,9 +116,9 @@ std::string TextOnEscaped(const TracedScene& traced)
       Places(lost, traced);
 }
 
-std::string TextOnClosed(const TracedScene& traced)
+std::string TextOnClosed(const TracedScene& traced, const std::vector<Loss>& losses)
 {
-  const Lost lost = AllThatLost(Loss::OutsideClosed, traced);
+  const Lost lost = AllThatLost(Loss::OutsideClosed, losses, traced);
   return lost.lamps.empty() ? ""
                             : "Light from outside, " + NameOf(lost, traced) +
       (lost.lamps.size() > 1 ? "" : ",") + " reached next to no front: " +
@@ -235,9 +130,9 @@ std::string TextOnClosed(const TracedScene& traced)
       TurnNormals + "; if light on backs is meant, switch RegisterBackSide on.";
 }
 
-std::string TextOnMissed(const TracedScene& traced)
+std::string TextOnMissed(const TracedScene& traced, const std::vector<Loss>& losses)
 {
-  const Lost lost = AllThatLost(Loss::OutsideMissed, traced);
+  const Lost lost = AllThatLost(Loss::OutsideMissed, losses, traced);
   return lost.lamps.empty()
     ? ""
     : "Light from outside, " + NameOf(lost, traced) + (lost.lamps.size() > 1 ? "" : ",") +
@@ -254,6 +149,19 @@ std::string TextOnTarget(const TracedScene& traced)
     " lm. If so little light is meant, set TargetRelativeError to 0 and raise Photons.");
 }
 
+std::string TextOnScattered(const TracedScene& traced)
+{
+  const ScatteredLight light = ScatteredLightOf(traced);
+  return Share(light.onBacks, light.met) <= MostScatteredOnBacks
+    ? ""
+    : Text(100.0 * Share(light.onBacks, light.met),
+        " % of the scattered light that met the surface fell on backs of facets, where light is "
+        "not "
+        "registered. Either some normals look away from the light, as those of a floor that look "
+        "down do, or the surface is thin and is lit from behind. In the first case ",
+        TurnNormals, "; if light on backs is meant, switch RegisterBackSide on.");
+}
+
 std::vector<std::string> NotesOn(const TracedScene& traced)
 {
   Arrivals lamps;
@@ -264,18 +172,28 @@ std::vector<std::string> NotesOn(const TracedScene& traced)
     (ComesFromOutside(traced.lighting.luminaires[lamp]) ? outside : lamps) += arrivals[lamp];
   }
   std::vector<std::string> notes;
-  const auto note = [&](std::uint64_t part, std::uint64_t whole, const char* what)
+  const auto note = [&](std::uint64_t part, std::uint64_t whole, double most, const char* what)
   {
-    if (Share(part, whole) > WorthANote)
+    if (Share(part, whole) > most)
     {
       notes.push_back(Amount(part, whole, traced) + what);
     }
   };
-  note(traced.backSide ? 0 : lamps.back, lamps.Emitted() - lamps.escaped,
+  note(traced.backSide ? 0 : lamps.back, lamps.Emitted() - lamps.escaped, LostWorthANote,
     " of the lamps that met the surface fell on backs of facets, where light is not registered");
-  note(lamps.escaped, lamps.Emitted(), " of the lamps left the scene without meeting it");
-  note(traced.backSide ? 0 : outside.back, outside.Emitted() - outside.escaped,
+  note(lamps.escaped, lamps.Emitted(), EscapedWorthANote,
+    " of the lamps left the scene without meeting it");
+  note(traced.backSide ? 0 : outside.back, outside.Emitted() - outside.escaped, EscapedWorthANote,
     " from outside that met the surface fell on backs of facets, where light is not registered");
+  const ScatteredLight scattered = ScatteredLightOf(traced);
+  note(scattered.onBacks, scattered.met, LostWorthANote,
+    " of scattered light that met the surface, each time it did, fell on backs of facets, where "
+    "light is not registered");
+  const PhotonTransport::PhotonBalance balance = traced.run.Balance();
+  const std::uint64_t switchedOff =
+    std::accumulate(balance.switchedOff.begin(), balance.switchedOff.end(), std::uint64_t{ 0 });
+  note(balance.cutOff - switchedOff, balance.emitted, LostWorthANote,
+    " ended at MaximumPathLength; light that total reflection keeps in a solid body does so");
   return notes;
 }
 
@@ -290,8 +208,13 @@ MissingLight FindMissingLight(const TracedScene& traced, PhotonTransport::StopRe
     return missing;
   }
   missing.notes = NotesOn(traced);
-  std::vector<std::string> texts = { TextOnBacks(traced), TextOnEscaped(traced),
-    TextOnClosed(traced), TextOnMissed(traced) };
+  const std::vector<Loss> losses = LossesByLamp(traced);
+  std::vector<std::string> texts = { TextOnBacks(traced, losses), TextOnEscaped(traced, losses),
+    TextOnClosed(traced, losses), TextOnMissed(traced, losses) };
+  if (std::all_of(texts.begin(), texts.end(), [](const std::string& text) { return text.empty(); }))
+  {
+    texts.push_back(TextOnScattered(traced));
+  }
   if (reason == PhotonTransport::StopReason::NothingLit)
   {
     texts.push_back(TextOnTarget(traced));

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-class SceneBlocks;
+struct TracedScene;
 class vtkFieldData;
 
 /// What a run's user should know of light that did not arrive on fronts; see
@@ -16,10 +16,14 @@ class vtkFieldData;
 ///
 /// There is a warning for a lamp in the scene if more than 10 % of its light that met the surface
 /// fell on backs that let no light through. Light that meets nothing is often meant to: a lamp over
-/// a table may lose nine tenths. So there is a warning only if more than 99 % of a lamp's light
-/// left the scene; or 90 %, if the lamp is farther from the surface than the surface's diagonal; or
-/// 10 %, if the surface is closed. It is taken to be closed if of 1000 or more scattered photons
-/// less than 1 in 1000 left the scene.
+/// a table may lose 98 %. So there is a warning only if more than 99 % of a lamp's light left the
+/// scene, or, if the surface is closed, if more than 10 % left it or fell on backs. It is taken to
+/// be closed if of 1000 or more scattered photons less than 1 in 1000 left the scene, and with
+/// fewer photons if each edge belongs to two facets and the fronts look inward.
+///
+/// There is a warning for scattered light if more than 10 % of what met the surface fell on backs
+/// and there is no other warning: a floor whose normals look down gets nothing, however little of a
+/// lamp's light falls straight on it.
 ///
 /// Parallel light and skies start over the whole scene, so that most of their light rightly meets
 /// nothing or the outside of a building. There is a warning if less than 1 in 10^4 of what met the
@@ -27,25 +31,16 @@ class vtkFieldData;
 ///
 /// A warning also says that a run ended because nothing was lit (StopReason::NothingLit).
 ///
-/// There is a note if more than 10 % of the light of all lamps in the scene that met the surface
-/// fell on backs, if more than 10 % of their light left the scene, if more than 10 % of the light
-/// from outside that met the surface fell on backs, and if all lamps together have no flux.
+/// There is a note if more than 1 % of the light of all lamps in the scene that met the surface
+/// fell on backs, or of the scattered light; if more than 10 % of the lamps' light left the scene;
+/// if more than 10 % of the light from outside that met the surface fell on backs; if more than 1 %
+/// of the light ended at the path length limit; and if all lamps together have no flux.
 ///
 /// If backs are registered, light on them is not missing.
 struct MissingLight
 {
   std::string warning; ///< Empty where there is nothing to warn of.
   std::vector<std::string> notes;
-};
-
-/// What a filter has traced, and what its user calls it.
-struct TracedScene
-{
-  const SceneBlocks& blocks;
-  const PhotonTransport::Lighting& lighting;
-  const PhotonTransport::IlluminationRun& run;
-  bool backSide;        ///< Whether backs are registered.
-  double metresPerUnit; ///< As it was set.
 };
 
 MissingLight FindMissingLight(const TracedScene& traced, PhotonTransport::StopReason reason);

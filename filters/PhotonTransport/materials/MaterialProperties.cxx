@@ -2,6 +2,7 @@
 #include "PhotonTransport/materials/MaterialProperties.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -43,13 +44,21 @@ const char* NameOfChannel(std::size_t channel, bool grey)
   return grey ? "" : names[channel];
 }
 
+/// Equal, or both no number.
+bool AreAlike(float a, float b)
+{
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
 bool AreGrey(const MaterialValues& values)
 {
   bool grey = true;
   for (std::size_t p = 0; p < MaterialProperties.size(); ++p)
   {
     const float* value = &values[Channels * p];
-    grey = grey && (!IsShare(MaterialProperties[p]) || IsGrey({ value[0], value[1], value[2] }));
+    grey = grey &&
+      (!IsShare(MaterialProperties[p]) ||
+        (AreAlike(value[0], value[1]) && AreAlike(value[0], value[2])));
   }
   return grey;
 }

@@ -100,11 +100,8 @@ void AdvanceSobolPoint(SobolPoint& point, std::uint32_t index)
 {
   // Gray codes of neighbours differ in the lowest zero bit of the smaller. After the last of the
   // 2^32 points any row will do: the caller starts a new sequence.
-  unsigned bit = 0;
-  while (bit + 1 < Bits && ((index >> bit) & 1u))
-  {
-    ++bit;
-  }
+  const std::uint32_t zeros = ~index | (1u << (Bits - 1));
+  const auto bit = static_cast<unsigned>(__builtin_ctz(zeros));
   ExclusiveOr(point, Directions[bit]);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/DoubleSheets.h"
 
+#include "PhotonTransport/scene/Scene.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -50,6 +52,35 @@ std::optional<glm::vec3> Within(const glm::dvec3& point, double gap, const glm::
     return std::nullopt;
   }
   return glm::vec3(parts / (parts.x + parts.y + parts.z));
+}
+
+bool Scene::FindFront(const Ray& ray, Hit& hit) const
+{
+  const auto corner = [&](const Facet& facet, int c)
+  { return glm::dvec3(this->VertexRecords[facet.vertices[c]].position); };
+  const Facet& behind = this->FacetRecords[hit.facet];
+  const glm::dvec3 point = double(hit.barycentric.x) * corner(behind, 0) +
+    double(hit.barycentric.y) * corner(behind, 1) + double(hit.barycentric.z) * corner(behind, 2);
+  const double gap = double{ SheetGap } * this->Reach(point);
+  std::uint32_t chosen = NoFacet; // the first in the list, whatever the order of the search
+  const auto look = [&](std::uint32_t f)
+  {
+    const Facet& facet = this->FacetRecords[f];
+    if (f < chosen && glm::dot(ray.direction, facet.normal) < 0.0f &&
+      glm::dot(behind.normal, facet.normal) < -SameSheet)
+    {
+      const auto there = Within(point, gap, corner(facet, 0), corner(facet, 1), corner(facet, 2));
+      if (there)
+      {
+        chosen = f;
+        hit.barycentric = *there;
+        hit.part = NoPart;
+      }
+    }
+  };
+  this->Bvh->ForEachNear(glm::vec3(point), static_cast<float>(gap), look);
+  hit.facet = chosen != NoFacet ? chosen : hit.facet;
+  return chosen != NoFacet;
 }
 
 } // namespace PhotonTransport

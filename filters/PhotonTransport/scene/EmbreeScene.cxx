@@ -2,14 +2,11 @@
 #include "PhotonTransport/scene/EmbreeScene.h"
 
 #include "PhotonTransport/scene/EmbreeVersion.h"
-
-#include <glm/common.hpp>
+#include "PhotonTransport/scene/RayPacket.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -55,65 +52,6 @@ void AddParts(const std::vector<FacetPart>& parts, std::vector<glm::vec3>& point
   }
 }
 
-constexpr std::size_t PacketSize = 8;
-
-void LoadRay(RTCRayHit8& packet, std::size_t lane, const Ray& ray)
-{
-  packet.ray.org_x[lane] = ray.origin.x;
-  packet.ray.org_y[lane] = ray.origin.y;
-  packet.ray.org_z[lane] = ray.origin.z;
-  packet.ray.dir_x[lane] = ray.direction.x;
-  packet.ray.dir_y[lane] = ray.direction.y;
-  packet.ray.dir_z[lane] = ray.direction.z;
-  packet.ray.tnear[lane] = 0.0f;
-  packet.ray.tfar[lane] = std::numeric_limits<float>::infinity();
-  packet.ray.time[lane] = 0.0f;
-  packet.ray.mask[lane] = 0xffffffffu;
-  packet.ray.id[lane] = 0;
-  packet.ray.flags[lane] = 0;
-  packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
-  packet.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
-}
-
-bool HasHit(const RTCRayHit8& packet, std::size_t lane)
-{
-  return packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
-}
-
-/// A ray this many times as long as its hit is far from the origin is traced again from near.
-constexpr float FarRay = 16.0f;
-
-/// Where it starts then, before its hit, in lengths of the ray: 128 times the rounding of a
-/// coordinate, which the error of the hit does not reach but where the ray is in the facet's plane.
-constexpr float Approach = 0x1p-17f;
-
-/// -1 for each lane whose hit is to be looked for again from near, else 0. @return Whether any is.
-bool FindFarRays(const RTCRayHit8& packet, int (&far)[PacketSize])
-{
-  int any = 0;
-  for (std::size_t lane = 0; lane < PacketSize; ++lane) // simple enough to become vector operations
-  {
-    const float length = packet.ray.tfar[lane];
-    const float x = std::fabs(packet.ray.org_x[lane] + length * packet.ray.dir_x[lane]);
-    const float y = std::fabs(packet.ray.org_y[lane] + length * packet.ray.dir_y[lane]);
-    const float z = std::fabs(packet.ray.org_z[lane] + length * packet.ray.dir_z[lane]);
-    const float most = length * (1.0f / FarRay);
-    // Without a hit the length is infinite and so is, or is no number, at least one of the three.
-    far[lane] = -static_cast<int>((x < most) & (y < most) & (z < most));
-    any |= far[lane];
-  }
-  return any != 0;
-}
-
-/// The same ray from shortly before its hit to shortly behind it.
-void LoadRayFromNear(RTCRayHit8& packet, std::size_t lane, const Ray& ray, float length)
-{
-  const double along = double{ length } * (1.0 - double{ Approach });
-  const glm::dvec3 start = glm::dvec3(ray.origin) + along * glm::dvec3(ray.direction);
-  LoadRay(packet, lane, { glm::vec3(start), ray.direction });
-  packet.ray.tfar[lane] = 2.0f * Approach * length;
-}
-
 } // namespace
 
 struct EmbreeScene::Implementation
@@ -149,15 +87,22 @@ struct EmbreeScene::Implementation
     return primitive < this->facets ? primitive : this->parts[primitive - this->facets].facet;
   }
 
-  void StoreHit(const RTCRayHit8& packet, std::size_t lane, Hit& hit) const
+  void StoreHit(const RayPacket& packet, const RayPacket::Coordinates& coordinates,
+    std::size_t lane, Hit& hit) const
   {
-    // Rounding may put a hit on an edge just outside the facet.
-    const float u = std::clamp(packet.hit.u[lane], 0.0f, 1.0f);
-    const float v = std::clamp(packet.hit.v[lane], 0.0f, 1.0f - u);
-    hit.facet = packet.hit.primID[lane];
-    hit.barycentric = { 1.0f - u - v, u, v };
+    hit.facet = packet.Primitive(lane);
+    hit.barycentric = { coordinates.a[lane], coordinates.b[lane], coordinates.c[lane] };
     hit.part = NoPart;
     if (hit.facet >= this->facets)
+    {
+      this->MovePartToFacet(hit);
+    }
+  }
+
+  /// Not inlined: it is rare, and what is hot must stay small.
+  [[gnu::noinline]] void MovePartToFacet(Hit& hit) const
+  {
+    if (hit)
     {
       hit.part = hit.facet - static_cast<std::uint32_t>(this->facets);
       hit.inPart = hit.barycentric;
@@ -166,48 +111,57 @@ struct EmbreeScene::Implementation
     }
   }
 
-  void IntersectPacket(const Ray* rays, Hit* hits, std::size_t count) const
+  /// @param rays As many as a packet holds. @param count How many of their hits are wanted.
+  [[gnu::noinline]] void IntersectPacket(RayPacket& packet, const RayPacket::Mask& wanted,
+    const Ray* rays, Hit* hits, std::size_t count) const
   {
-    alignas(32) int valid[PacketSize] = {};
-    RTCRayHit8 packet;
-    for (std::size_t lane = 0; lane < PacketSize; ++lane)
+    for (std::size_t lane = 0; lane < RayPacket::Size; ++lane)
     {
-      valid[lane] = lane < count ? -1 : 0;
-      LoadRay(packet, lane, rays[std::min(lane, count - 1)]);
+      packet.Load(lane, rays[lane]);
     }
-    IntersectFirst(this->scene, valid, packet);
+    packet.Intersect(this->scene, wanted);
+    const RayPacket::Coordinates coordinates = packet.BarycentricCoordinates();
     for (std::size_t lane = 0; lane < count; ++lane)
     {
-      hits[lane].facet = NoFacet;
-      if (HasHit(packet, lane))
-      {
-        this->StoreHit(packet, lane, hits[lane]);
-      }
+      this->StoreHit(packet, coordinates, lane, hits[lane]);
     }
-    alignas(32) int far[PacketSize];
-    if (FindFarRays(packet, far))
+    RayPacket::Mask far;
+    if (packet.FindFar(far))
     {
       this->IntersectAgain(packet, far, rays, hits, count);
     }
   }
 
-  void IntersectAgain(const RTCRayHit8& packet, const int (&far)[PacketSize], const Ray* rays,
-    Hit* hits, std::size_t count) const
+  /// Fewer rays than a packet holds: the last one fills it.
+  void IntersectFew(RayPacket& packet, const Ray* rays, Hit* hits, std::size_t count) const
   {
-    RTCRayHit8 closer = packet;
+    RayPacket::Mask wanted;
+    std::array<Ray, RayPacket::Size> filled;
+    for (std::size_t lane = 0; lane < RayPacket::Size; ++lane)
+    {
+      wanted.lanes[lane] = lane < count ? -1 : 0;
+      filled[lane] = rays[std::min(lane, count - 1)];
+    }
+    this->IntersectPacket(packet, wanted, filled.data(), hits, count);
+  }
+
+  [[gnu::noinline]] void IntersectAgain(RayPacket& packet, const RayPacket::Mask& far,
+    const Ray* rays, Hit* hits, std::size_t count) const
+  {
     for (std::size_t lane = 0; lane < count; ++lane)
     {
-      if (far[lane] != 0)
+      if (far.lanes[lane] != 0)
       {
-        LoadRayFromNear(closer, lane, rays[lane], packet.ray.tfar[lane]);
+        packet.LoadFromNear(lane, rays[lane]);
       }
     }
-    IntersectFirst(this->scene, far, closer);
+    packet.Intersect(this->scene, far);
+    const RayPacket::Coordinates coordinates = packet.BarycentricCoordinates();
     for (std::size_t lane = 0; lane < count; ++lane)
     {
-      if (far[lane] != 0 && HasHit(closer, lane))
+      if (far.lanes[lane] != 0 && packet.Primitive(lane) != NoFacet)
       {
-        this->StoreHit(closer, lane, hits[lane]);
+        this->StoreHit(packet, coordinates, lane, hits[lane]);
       }
     }
   }
@@ -248,10 +202,16 @@ EmbreeScene& EmbreeScene::operator=(EmbreeScene&&) noexcept = default;
 
 void EmbreeScene::Intersect(const Ray* rays, Hit* hits, std::size_t count) const
 {
-  for (std::size_t first = 0; first < count; first += PacketSize)
+  static constexpr RayPacket::Mask All{ { -1, -1, -1, -1, -1, -1, -1, -1 } };
+  RayPacket packet;
+  std::size_t first = 0;
+  for (; first + RayPacket::Size <= count; first += RayPacket::Size)
   {
-    const std::size_t used = std::min(PacketSize, count - first);
-    this->Impl->IntersectPacket(rays + first, hits + first, used);
+    this->Impl->IntersectPacket(packet, All, rays + first, hits + first, RayPacket::Size);
+  }
+  if (first < count)
+  {
+    this->Impl->IntersectFew(packet, rays + first, hits + first, count - first);
   }
 }
 

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/OverlappingFacets.h"
 
+#include "PhotonTransport/scene/FacetBundles.h"
+#include "PhotonTransport/scene/Outline.h"
+#include "PhotonTransport/scene/ParallelFor.h"
 #include "PhotonTransport/scene/PlaneTriangle.h"
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/vector_relational.hpp>
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <iterator>
+#include <cstddef>
 #include <numeric>
+#include <utility>
 
 namespace PhotonTransport
 {
@@ -19,163 +22,7 @@ namespace
 {
 
 /// Groups of so few facets are looked through pair by pair.
-constexpr std::size_t Few = 16;
-
-/// Facets of a group that face about the same way.
-struct Bundle
-{
-  glm::vec3 normal;
-  std::vector<std::uint32_t> facets;
-};
-
-/// Facets with nearly the same normal are together in at least one bundle.
-std::vector<Bundle> BundlesOf(
-  const std::vector<FacetPlane>& planes, const PlaneMember* first, const PlaneMember* last)
-{
-  constexpr float Joins = 0.9f;
-  constexpr float AtHome = 0.95f; // who is at home is joined by all that face the same way
-  std::vector<Bundle> bundles;
-  for (; first != last; ++first)
-  {
-    const glm::vec3& normal = planes[first->facet].normal;
-    bool atHome = false;
-    for (Bundle& bundle : bundles)
-    {
-      const float cosine = glm::dot(normal, bundle.normal);
-      atHome = atHome || cosine > AtHome;
-      if (cosine > Joins)
-      {
-        bundle.facets.push_back(first->facet);
-      }
-    }
-    if (!atHome)
-    {
-      bundles.push_back({ normal, { first->facet } });
-    }
-  }
-  return bundles;
-}
-
-/// Which facets of a bundle lie at the outline of what the bundle covers.
-///
-/// How many facets cover a point is the number of times that the outline winds round it, the
-/// outline being all edges, counter-clockwise, less those that are there in both directions. Where
-/// two facets overlap, their common area is bounded by pieces of the outline; the facet that has
-/// this edge overlaps another one there. So it is enough to look at the facets at the outline.
-class Outline
-{
-public:
-  explicit Outline(const FacetPlaces& places)
-    : Places(places)
-  {
-  }
-
-  /// Indices of triangles with two corners at the outline or more.
-  std::vector<std::uint32_t> TrianglesAt(const std::vector<PlaneTriangle>& triangles)
-  {
-    this->AddEdges(triangles);
-    this->JoinPoints(triangles);
-    std::vector<std::uint32_t> found;
-    for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    {
-      const glm::uvec3& corners = this->Places.facets[triangles[t].facet];
-      const int outside =
-        (this->Sums[corners.x] != 0) + (this->Sums[corners.y] != 0) + (this->Sums[corners.z] != 0);
-      if (outside > 1)
-      {
-        found.push_back(t);
-      }
-    }
-    for (const PlaneTriangle& triangle : triangles)
-    {
-      const glm::uvec3& corners = this->Places.facets[triangle.facet];
-      this->Sums[corners.x] = this->Sums[corners.y] = this->Sums[corners.z] = 0;
-    }
-    return found;
-  }
-
-private:
-  /// For each point the sum of numbers that stand for the points to which edges lead, less those
-  /// of the points from which edges come: 0 if every edge is there in both directions.
-  void AddEdges(const std::vector<PlaneTriangle>& triangles)
-  {
-    if (this->Numbers.empty())
-    {
-      this->Numbers.reserve(this->Places.points.size());
-      std::transform(this->Places.points.begin(), this->Places.points.end(),
-        std::back_inserter(this->Numbers), NumberOf);
-      this->Sums.assign(this->Places.points.size(), 0);
-    }
-    for (const PlaneTriangle& triangle : triangles)
-    {
-      glm::uvec3 corners = this->Places.facets[triangle.facet];
-      if (triangle.turned)
-      {
-        std::swap(corners.y, corners.z);
-      }
-      const std::uint64_t a = this->Numbers[corners.x], b = this->Numbers[corners.y],
-                          c = this->Numbers[corners.z];
-      this->Sums[corners.x] += b - c;
-      this->Sums[corners.y] += c - a;
-      this->Sums[corners.z] += a - b;
-    }
-  }
-
-  /// Points in the same place are one.
-  void JoinPoints(const std::vector<PlaneTriangle>& triangles)
-  {
-    std::vector<std::uint32_t> open;
-    for (const PlaneTriangle& triangle : triangles)
-    {
-      const glm::uvec3& corners = this->Places.facets[triangle.facet];
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        if (this->Sums[corners[corner]] != 0)
-        {
-          open.push_back(corners[corner]);
-        }
-      }
-    }
-    const auto byPlace = [&](std::uint32_t p, std::uint32_t q)
-    { return this->Numbers[p] != this->Numbers[q] ? this->Numbers[p] < this->Numbers[q] : p < q; };
-    std::sort(open.begin(), open.end(), byPlace);
-    open.erase(std::unique(open.begin(), open.end()), open.end());
-    for (auto first = open.begin(); first != open.end();)
-    {
-      std::uint64_t sum = 0;
-      auto last = first;
-      for (; last != open.end() && this->Numbers[*last] == this->Numbers[*first]; ++last)
-      {
-        sum += this->Sums[*last];
-      }
-      for (; first != last; ++first)
-      {
-        this->Sums[*first] = sum;
-      }
-    }
-  }
-
-  /// A number for a place, by Steele, Lea and Flood's SplitMix64: sums of them are different.
-  static std::uint64_t NumberOf(const glm::vec3& point)
-  {
-    std::uint64_t number = 0;
-    for (int i = 0; i < 3; ++i)
-    {
-      const float coordinate = point[i] + 0.0f; // one zero
-      std::uint32_t bits;
-      std::memcpy(&bits, &coordinate, sizeof bits);
-      number = (number ^ bits) + 0x9e3779b97f4a7c15u;
-      number = (number ^ (number >> 30)) * 0xbf58476d1ce4e5b9u;
-      number = (number ^ (number >> 27)) * 0x94d049bb133111ebu;
-      number ^= number >> 31;
-    }
-    return number;
-  }
-
-  const FacetPlaces& Places;
-  std::vector<std::uint64_t> Numbers; ///< Of the points.
-  std::vector<std::uint64_t> Sums;    ///< Of the points; all 0 between calls.
-};
+constexpr std::size_t Few = 64;
 
 /// Looks for overlaps within one bundle.
 class BundleSearch
@@ -193,34 +40,49 @@ public:
     }
   }
 
-  void Search(Outline& outline, const std::function<void(const FacetOverlap&)>& f) const
+  /// Whether it is worth while to look for them.
+  bool MayHaveAny(Outline& outline) const
   {
-    if (this->Triangles.size() <= Few)
+    if (this->Triangles.size() > Few)
     {
-      for (std::uint32_t i = 1; i < this->Triangles.size(); ++i)
+      return this->AnyMeetAt(outline.TrianglesAt(this->Triangles));
+    }
+    for (std::uint32_t i = 1; i < this->Triangles.size(); ++i)
+    {
+      for (std::uint32_t j = 0; j < i; ++j)
       {
-        for (std::uint32_t j = 0; j < i; ++j)
+        if (this->MayOverlap(j, i))
         {
-          this->Report(j, i, f);
+          return true;
         }
       }
     }
-    else if (this->AnyMeetAt(outline.TrianglesAt(this->Triangles)))
+    return false;
+  }
+
+  /// Calls f for each overlap.
+  void ForEach(const std::function<void(const FacetOverlap&)>& f) const
+  {
+    std::vector<std::uint32_t> all(this->Triangles.size());
+    std::iota(all.begin(), all.end(), 0u);
+    TriangleGrid grid(this->Triangles, all);
+    std::vector<std::uint32_t> near;
+    for (std::uint32_t i = 1; i < this->Triangles.size(); ++i)
     {
-      std::vector<std::uint32_t> all(this->Triangles.size());
-      std::iota(all.begin(), all.end(), 0u);
-      TriangleGrid grid(this->Triangles, all);
-      for (std::uint32_t i = 1; i < this->Triangles.size(); ++i)
-      {
-        grid.AnyNear(this->Triangles[i],
-          [&](std::uint32_t j)
+      near.clear();
+      grid.AnyNear(this->Triangles[i],
+        [&](std::uint32_t j)
+        {
+          if (j < i)
           {
-            if (j < i)
-            {
-              this->Report(j, i, f);
-            }
-            return false;
-          });
+            near.push_back(j);
+          }
+          return false;
+        });
+      std::sort(near.begin(), near.end()); // the same order whatever the grid
+      for (const std::uint32_t j : near)
+      {
+        this->Report(j, i, f);
       }
     }
   }
@@ -262,28 +124,33 @@ private:
     return has(this->Corner(f, 0)) && has(this->Corner(f, 1)) && has(this->Corner(f, 2));
   }
 
+  /// False for nearly all pairs that don't overlap.
+  bool MayOverlap(std::uint32_t i, std::uint32_t j) const
+  {
+    const PlaneTriangle& one = this->Triangles[i];
+    const PlaneTriangle& other = this->Triangles[j];
+    return one.low.x <= other.high.x && other.low.x <= one.high.x && one.low.y <= other.high.y &&
+      other.low.y <= one.high.y && FaceTheSameWay(this->Places.planes, one.facet, other.facet) &&
+      (this->AreCopies(one.facet, other.facet) || Meet(one, other));
+  }
+
   /// Calls f if two triangles overlap. @param i, j In ascending order.
   void Report(
     std::uint32_t i, std::uint32_t j, const std::function<void(const FacetOverlap&)>& f) const
   {
-    const PlaneTriangle& one = this->Triangles[i];
-    const PlaneTriangle& other = this->Triangles[j];
-    const glm::vec3& normal = this->Places.planes[one.facet].normal;
-    if (glm::any(glm::lessThan(one.high, other.low)) ||
-      glm::any(glm::lessThan(other.high, one.low)) ||
-      !(glm::dot(normal, this->Places.planes[other.facet].normal) > SameSheet))
+    if (!this->MayOverlap(i, j))
     {
       return;
     }
+    const PlaneTriangle& one = this->Triangles[i];
+    const PlaneTriangle& other = this->Triangles[j];
     const bool copies = this->AreCopies(one.facet, other.facet);
-    if (copies || Meet(one, other))
+    const CommonPart common = Intersection(one, other);
+    if (copies || (common.area > 0.0 && this->AreTogether(one, other, common)))
     {
-      const CommonPart common = Intersection(one, other);
-      if (copies || (common.area > 0.0 && this->AreTogether(one, other, common)))
-      {
-        const double cosine = std::fabs(double{ normal[this->Axis] });
-        f({ one.facet, other.facet, common.area / cosine, copies });
-      }
+      const glm::vec3& normal = this->Places.planes[one.facet].normal;
+      const double cosine = std::fabs(double{ normal[this->Axis] });
+      f({ one.facet, other.facet, common.area / cosine, copies });
     }
   }
 
@@ -317,22 +184,56 @@ private:
   std::vector<PlaneTriangle> Triangles;
 };
 
+/// Where each of some shares of the groups begins, and where the last one ends.
+std::vector<const PlaneMember*> Shares(const std::vector<PlaneMember>& groups)
+{
+  constexpr std::ptrdiff_t Members = 2048;
+  std::vector<const PlaneMember*> begins{ groups.data() };
+  ForEachGroup(groups,
+    [&](const PlaneMember*, const PlaneMember* last)
+    {
+      if (last - begins.back() >= Members)
+      {
+        begins.push_back(last);
+      }
+    });
+  begins.push_back(groups.data() + groups.size());
+  return begins;
+}
+
 } // namespace
 
 void ForEachOverlap(const FacetPlaces& places, const std::function<void(const FacetOverlap&)>& f)
 {
-  Outline outline(places);
-  ForEachGroup(places.groups,
-    [&](const PlaneMember* first, const PlaneMember* last)
+  // All threads look where there may be overlaps, which is hardly anywhere. These few bundles are
+  // gone through in their order, whatever the threads.
+  const std::vector<const PlaneMember*> begins = Shares(places.groups);
+  std::vector<std::vector<Bundle>> found(begins.size() - 1);
+  tbb::enumerable_thread_specific<Outline> outlines(
+    [&] { return Outline(places.points, places.facets); });
+  ParallelFor(0, found.size(),
+    [&](const tbb::blocked_range<std::uint64_t>& range)
     {
-      for (const Bundle& bundle : BundlesOf(places.planes, first, last))
-      {
-        if (bundle.facets.size() > 1)
+      Outline& outline = outlines.local();
+      ForEachGroup(begins[range.begin()], begins[range.end()],
+        [&](const PlaneMember* first, const PlaneMember* last)
         {
-          BundleSearch(places, bundle).Search(outline, f);
-        }
-      }
+          for (Bundle& bundle : BundlesOf(places.planes, first, last))
+          {
+            if (bundle.facets.size() > 1 && BundleSearch(places, bundle).MayHaveAny(outline))
+            {
+              found[range.begin()].push_back(std::move(bundle));
+            }
+          }
+        });
     });
+  for (const std::vector<Bundle>& bundles : found)
+  {
+    for (const Bundle& bundle : bundles)
+    {
+      BundleSearch(places, bundle).ForEach(f);
+    }
+  }
 }
 
 } // namespace PhotonTransport

@@ -119,6 +119,7 @@ TriangleGrid::TriangleGrid(
   this->Size = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(members.size()))), 1, 512);
   const float size = static_cast<float>(this->Size);
   this->Cell = glm::max((high - this->Low) / size, std::numeric_limits<float>::min());
+  this->CellsPerUnit = 1.0f / this->Cell;
   const auto cells = static_cast<std::size_t>(this->Size) * static_cast<std::size_t>(this->Size);
   this->Offsets.assign(cells + 1, 0);
   const auto forEach = [&](const auto& f)
@@ -143,27 +144,12 @@ TriangleGrid::TriangleGrid(
   forEach([&](std::size_t cell, std::uint32_t m) { this->Members[next[cell]++] = m; });
 }
 
-std::pair<int, int> TriangleGrid::RangeOf(float low, float high, int axis) const
-{
-  // Rounding must not lose a cell.
-  constexpr float Reserve = 0x1p-10f;
-  const float last = static_cast<float>(this->Size - 1);
-  const float first = (low - this->Low[axis]) / this->Cell[axis] - Reserve;
-  const float end = (high - this->Low[axis]) / this->Cell[axis] + Reserve;
-  if (!(first <= last + 1.0f && end >= 0.0f))
-  {
-    return { 0, -1 };
-  }
-  return { static_cast<int>(std::clamp(first, 0.0f, last)),
-    static_cast<int>(std::clamp(end, 0.0f, last)) };
-}
-
-/// Least and largest x of the part of a triangle that lies in a row of cells.
-glm::vec2 TriangleGrid::SpanIn(const PlaneTriangle& triangle, int row) const
+std::pair<int, int> TriangleGrid::ColumnsOf(const PlaneTriangle& triangle, int row) const
 {
   constexpr float Reserve = 0x1p-10f;
   const float bottom = this->Low.y + (static_cast<float>(row) - Reserve) * this->Cell.y;
   const float top = this->Low.y + (static_cast<float>(row + 1) + Reserve) * this->Cell.y;
+  // Least and largest x of the part of the triangle that lies in the row.
   glm::vec2 span(std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest());
   for (int i = 0; i < 3; ++i)
   {
@@ -184,7 +170,7 @@ glm::vec2 TriangleGrid::SpanIn(const PlaneTriangle& triangle, int row) const
     span.x = std::min({ span.x, x1, x2 });
     span.y = std::max({ span.y, x1, x2 });
   }
-  return span;
+  return this->RangeOf(span.x, span.y, 0);
 }
 
 } // namespace PhotonTransport

@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -82,10 +83,12 @@ private:
   bool AnyCell(const PlaneTriangle& triangle, const F& f) const
   {
     const std::pair<int, int> rows = this->RangeOf(triangle.low.y, triangle.high.y, 1);
+    const std::pair<int, int> bounds = this->RangeOf(triangle.low.x, triangle.high.x, 0);
+    // Bounds are quick to find, and of few cells they are hardly more than the triangle touches.
+    const bool small = rows.second - rows.first < 2 || bounds.second - bounds.first < 2;
     for (int row = rows.first; row <= rows.second; ++row)
     {
-      const glm::vec2 span = this->SpanIn(triangle, row);
-      const std::pair<int, int> columns = this->RangeOf(span.x, span.y, 0);
+      const std::pair<int, int> columns = small ? bounds : this->ColumnsOf(triangle, row);
       for (int column = columns.first; column <= columns.second; ++column)
       {
         if (f(static_cast<std::size_t>(row) * static_cast<std::size_t>(this->Size) +
@@ -98,11 +101,25 @@ private:
     return false;
   }
   /// First and last cell of a range along an axis, within the grid; (0, -1) for a range outside it.
-  std::pair<int, int> RangeOf(float low, float high, int axis) const;
-  glm::vec2 SpanIn(const PlaneTriangle& triangle, int row) const;
+  std::pair<int, int> RangeOf(float low, float high, int axis) const
+  {
+    // Rounding must not lose a cell.
+    constexpr float Reserve = 0x1p-10f;
+    const float last = static_cast<float>(this->Size - 1);
+    const float first = (low - this->Low[axis]) * this->CellsPerUnit[axis] - Reserve;
+    const float end = (high - this->Low[axis]) * this->CellsPerUnit[axis] + Reserve;
+    if (!(first <= last + 1.0f && end >= 0.0f))
+    {
+      return { 0, -1 };
+    }
+    return { static_cast<int>(std::clamp(first, 0.0f, last)),
+      static_cast<int>(std::clamp(end, 0.0f, last)) };
+  }
+  /// First and last cell of a row that a triangle touches.
+  std::pair<int, int> ColumnsOf(const PlaneTriangle& triangle, int row) const;
 
   int Size = 1; ///< Cells along each side.
-  glm::vec2 Low, Cell;
+  glm::vec2 Low, Cell, CellsPerUnit;
   std::vector<std::size_t> Offsets;
   std::vector<std::uint32_t> Members;
   std::vector<std::uint32_t> Seen; ///< The last query that met it.

@@ -94,10 +94,6 @@ struct SceneNotes
   std::size_t colouredFacets = 0; ///< Reflecting, transmitting or shining unequally by channel.
 };
 
-/// Parts of large facets that a scene keeps at most, see FacetPart: some thousand, or an eighth of
-/// its facets.
-std::size_t MostParts(std::size_t facets);
-
 /// The validated, immutable scene: geometry in [-1, 1], per-facet and per-vertex records, BVH.
 class Scene
 {
@@ -204,7 +200,8 @@ private:
     std::uint32_t first, std::uint32_t second, double area, bool copies, SharedPlaceNotes& notes);
   std::uint32_t InSurface(std::uint32_t facet) const; ///< Its index in the surface given.
   bool FindFront(const Ray& ray, Hit& hit) const;
-  std::vector<FacetPart> PartsOfLargeFacets(const std::vector<glm::vec3>& positions) const;
+  glm::vec3 SafeOriginOnPart(const Hit& hit, bool front) const;
+  glm::vec3 SafeOriginAt(const glm::vec3& point, const Hit& hit, bool front) const;
   void BuildBvh(std::vector<glm::vec3> positions);
 
   Placement Place;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/SharedPlaces.h"
 
+#include "PhotonTransport/materials/MaterialProperties.h"
 #include "PhotonTransport/scene/DoubleSheets.h"
 #include "PhotonTransport/scene/OverlappingFacets.h"
+#include "PhotonTransport/scene/ParallelFor.h"
 #include "PhotonTransport/scene/PlaneTriangle.h"
 #include "PhotonTransport/scene/Scene.h"
 
@@ -102,10 +104,10 @@ void Scene::MarkSharedPlace(
       mark(notes.shineToo, ShinesToo, 0);
     }
   }
-  const bool alike = this->FacetMaterial.empty()
-    ? this->FacetRecords[first].reflectance == this->FacetRecords[second].reflectance
-    : this->FacetMaterial[first] == this->FacetMaterial[second];
-  if (!alike)
+  const auto material = [&](std::uint32_t facet)
+  { return ValuesOf(this->FacetMaterials[this->FacetMaterial[facet]]); };
+  if (this->FacetMaterial[first] != this->FacetMaterial[second] &&
+    material(first) != material(second))
   {
     mark(notes.unlikeMaterials, UnlikeMaterials, 0);
   }
@@ -113,16 +115,19 @@ void Scene::MarkSharedPlace(
 
 void Scene::FindSharedPlaces(const std::vector<glm::vec3>& positions)
 {
-  std::vector<FacetPlane> planes;
-  std::vector<glm::uvec3> facets;
-  planes.reserve(this->FacetRecords.size());
-  facets.reserve(this->FacetRecords.size());
-  for (const Facet& facet : this->FacetRecords)
-  {
-    const glm::uvec3& ids = facet.vertices;
-    planes.push_back(PlaneOf(positions[ids.x], positions[ids.y], positions[ids.z], facet.normal));
-    facets.push_back(ids);
-  }
+  std::vector<FacetPlane> planes(this->FacetRecords.size());
+  std::vector<glm::uvec3> facets(this->FacetRecords.size());
+  ParallelFor(0, planes.size(),
+    [&](const tbb::blocked_range<std::uint64_t>& range)
+    {
+      for (std::uint64_t f = range.begin(); f < range.end(); ++f)
+      {
+        const Facet& facet = this->FacetRecords[f];
+        const glm::uvec3& ids = facet.vertices;
+        planes[f] = PlaneOf(positions[ids.x], positions[ids.y], positions[ids.z], facet.normal);
+        facets[f] = ids;
+      }
+    });
   const std::vector<PlaneMember> groups = SharedPlanes(planes);
   this->DoubleSheets = FacetsOfDoubleSheets(planes, groups);
   SharedPlaceNotes& notes = this->Found.sharedPlaces;

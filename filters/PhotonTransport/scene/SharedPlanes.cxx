@@ -3,6 +3,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <oneapi/tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -107,7 +109,7 @@ std::vector<PlaneMember> SharedPlanes(const std::vector<FacetPlane>& planes)
         }
       });
   }
-  std::sort(members.begin(), members.end());
+  tbb::parallel_sort(members.begin(), members.end()); // no two are alike: one order
   std::vector<PlaneMember> groups;
   ForEachGroup(members,
     [&](const PlaneMember* first, const PlaneMember* last)

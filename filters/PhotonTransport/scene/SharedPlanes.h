@@ -54,16 +54,20 @@ std::vector<PlaneMember> SharedPlanes(const std::vector<FacetPlane>& planes);
 
 /// Calls f(first, last) for each group.
 template <typename F>
-void ForEachGroup(const std::vector<PlaneMember>& members, const F& f)
+void ForEachGroup(const PlaneMember* first, const PlaneMember* end, const F& f)
 {
-  const PlaneMember* end = members.data() + members.size();
-  for (const PlaneMember* first = members.data(); first != end;)
+  while (first != end)
   {
     const PlaneMember* last = std::find_if(
       first, end, [&](const PlaneMember& member) { return member.group != first->group; });
     f(first, last);
     first = last;
   }
+}
+template <typename F>
+void ForEachGroup(const std::vector<PlaneMember>& members, const F& f)
+{
+  ForEachGroup(members.data(), members.data() + members.size(), f);
 }
 
 } // namespace PhotonTransport

@@ -24,7 +24,7 @@ struct StopRules
 };
 
 /// A run towards a relative error ends when it has traced so many photons and none of them has
-/// registered on a front. With 95 % confidence less than 3 in so many photons do, and no target can
+/// registered on any side. With 95 % confidence less than 3 in so many photons do, and no target can
 /// be met with so few. Without this rule the run would go on to StopRules::photons.
 constexpr std::uint64_t MostPhotonsInTheDark = 1u << 20;
 

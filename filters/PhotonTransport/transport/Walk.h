@@ -163,7 +163,11 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
     return false;
   }
   bool front = glm::dot(ray.direction, settings.scene.Facets()[hit.facet].normal) < 0.0f;
-  front = front || settings.scene.PreferFront(ray, hit);
+  if (!front)
+  {
+    front = settings.scene.PreferFront(ray, hit);
+    balance.onBacks += !front;
+  }
   if (settings.scene.MaySharePlace(hit))
   {
     RegisterOnAll(settings.scene, ray, hit, front, photon.origin, onHit);

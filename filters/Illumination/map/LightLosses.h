@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// By which rules light is said to be missing from a map.
+#ifndef LightLosses_h
+#define LightLosses_h
+
+#include "PhotonTransport/transport/IlluminationRun.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+class SceneBlocks;
+
+/// What a filter has traced, and what its user calls it.
+struct TracedScene
+{
+  const SceneBlocks& blocks;
+  const PhotonTransport::Lighting& lighting;
+  const PhotonTransport::IlluminationRun& run;
+  bool backSide;        ///< Whether backs are registered.
+  double metresPerUnit; ///< As it was set.
+};
+
+/// How most of the light of a lamp, or of scattered light, is lost; see MissingLight.
+enum class Loss
+{
+  None,
+  OnBacks,       ///< Of a lamp in the scene.
+  Escaped,       ///< Of a lamp in the scene.
+  OutsideClosed, ///< Light from outside fell on backs.
+  OutsideMissed  ///< Light from outside met nothing.
+};
+
+/// All lamps that lost light in one way.
+struct Lost
+{
+  PhotonTransport::Arrivals sum;
+  std::vector<std::size_t> lamps;
+  std::size_t worst = 0; ///< Of the lamps.
+};
+
+/// For each lamp how it loses light.
+std::vector<Loss> LossesByLamp(const TracedScene& traced);
+Lost AllThatLost(Loss way, const std::vector<Loss>& losses, const TracedScene& traced);
+
+/// Whether a lamp's light starts over the whole scene: parallel light and skies.
+bool ComesFromOutside(const PhotonTransport::Luminaire& luminaire);
+
+/// Scattered photons that met the surface, and those of them that met backs.
+struct ScatteredLight
+{
+  std::uint64_t met = 0;
+  std::uint64_t onBacks = 0; ///< 0 where backs are registered or let light through.
+};
+ScatteredLight ScatteredLightOf(const TracedScene& traced);
+
+/// 0 where the whole is.
+double Share(std::uint64_t part, std::uint64_t whole);
+
+#endif

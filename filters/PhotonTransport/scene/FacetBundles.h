@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PhotonTransport/scene/SharedPlanes.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace PhotonTransport
+{
+
+/// Whether two planes that are near each other count as one.
+bool FaceTheSameWay(
+  const std::vector<FacetPlane>& planes, std::uint32_t facet, std::uint32_t other);
+
+/// Facets of a group that face about the same way.
+struct Bundle
+{
+  glm::vec3 normal;
+  std::vector<std::uint32_t> facets;
+};
+
+/// Bundles of the facets in a group: those that face the same way are together in at least one.
+/// None for most groups where no two do.
+std::vector<Bundle> BundlesOf(
+  const std::vector<FacetPlane>& planes, const PlaneMember* first, const PlaneMember* last);
+
+} // namespace PhotonTransport
