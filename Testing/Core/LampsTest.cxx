@@ -186,6 +186,27 @@ TEST(EmittingMesh, HasTheFluxOfTheSameFacets)
   EXPECT_LE(differ, 2); // at a border between two facets' shares
 }
 
+// A copy may start at any corner, and have points of its own. A back is no copy of its front.
+TEST(EmittingMesh, ExactCopiesShineOnce)
+{
+  const Scene scene(Shapes::Icosphere(0, Facing::Outward));
+  const std::vector<glm::dvec3> points{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { -0.0, 1, 0 } };
+  const EmittingMesh one{ points, { { 0, 1, 2 } }, { 5.0f } };
+  const double flux = Emitter(one, scene).Flux();
+  EXPECT_TRUE(one.Notes("a").empty());
+  for (const glm::uvec3 copy : { glm::uvec3{ 0, 1, 2 }, { 1, 2, 0 }, { 3, 0, 1 } })
+  {
+    const EmittingMesh mesh{ points, { { 0, 1, 2 }, copy, copy }, { 5.0f, 3.0f, 5.0f } };
+    EXPECT_EQ(Emitter(mesh, scene).Flux(), flux);
+    EXPECT_EQ(mesh.Notes("a").at(0).find("2 triangles of luminaire 'a' are exact copies"), 0u);
+  }
+  const EmittingMesh dim{ points, { { 0, 1, 2 }, { 1, 2, 0 } }, { 0.0f, 5.0f } };
+  EXPECT_EQ(Emitter(dim, scene).Flux(), flux); // of copies the brightest shines
+  const EmittingMesh bothSides{ points, { { 0, 1, 2 }, { 0, 2, 1 } }, { 5.0f, 5.0f } };
+  EXPECT_EQ(Emitter(bothSides, scene).Flux(), 2.0 * flux);
+  EXPECT_TRUE(bothSides.Notes("a").empty());
+}
+
 TEST(EmittingMesh, ContradictionsAreRefused)
 {
   const Scene scene(Shapes::Icosphere(0, Facing::Outward));

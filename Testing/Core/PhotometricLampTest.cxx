@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lamps with a photometric solid: how much, and in which direction.
 #include "PhotonTransport/lights/Emitter.h"
-#include "PhotonTransport/lights/LampTables.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 
 #include "RandomNumbers.h"

@@ -150,7 +150,6 @@ TEST(PhotometricFileError, NamesLineAndValueOfAnIesHeader)
   expect(4, "1 1000 1 3 2 1 3", "units type is '3'; it must be within [1, 2]");
   expect(4, "1 1000 1 3 2 1 2 inf", "width is 'inf'; it must be a number");
   expect(5, "0 1 10", "ballast factor is '0'; it must be above 0");
-  expect(5, "1 1 ten", "input watts is 'ten'; it must be a number");
 }
 
 TEST(PhotometricFileError, NamesLineAndValueOfIesAnglesAndIntensities)

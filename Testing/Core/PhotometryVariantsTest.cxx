@@ -212,6 +212,19 @@ TEST_F(PhotometricVariants, IesLinesThatLightDoesNotDependOn)
   expect(5, "0 -1 1 4 1 1 2 0.1 0.1 0", "number of lamps is 0");
   expect(6, "1 1 -20", "input watts is -20");
   expect(6, "1 1", "the input watts are missing");
+  expect(6, "1 1 58W", "line 6: input watts is '58W'; 58 W was taken");
+  expect(6, "1 1 58 W", "line 6: input watts is '58 W'; 58 W was taken");
+  expect(6, "1 1 2x58 W", "input watts is '2x58 W'; 116 W was taken");
+  expect(6, "1, 1, 2 x 58 watts", "input watts is '2 x 58 watts'; 116 W was taken");
+  expect(6, "1 1 58,5 W", "input watts is '58.5 W'; 58.5 W was taken");
+  expect(6, "1 1 n/a", "input watts is 'n/a'; 0 was taken for unknown");
+  expect(6, "1 1 about 58 W", "input watts is 'about 58 W'; 0 was taken");
+  EXPECT_EQ(ReadIesText(With(lines, 6, "1 1 2x58 W")).inputPower, 116.0);
+  EXPECT_EQ(ReadIesText(With(lines, 6, "1 1 n/a")).inputPower, 0.0);
+  ExpectFlux(ReadIesText,
+    Joined({ lines[0], lines[1], lines[2], lines[3], lines[4], "1 1 58 W " + lines[6], lines[7],
+      lines[8] }),
+    1.0, "input watts is '58 W'; 58 W was taken", "angles on the same line");
   expect(5, "1 -1 1,0 4 1 1 2 0,1 0,1 0", "commas between digits were read as decimal points");
   expect(5, "1,-1,1,4,1,1,2,0.1,0.1,0", "");
   expect(9, "900, 700, 300, 40,", "");

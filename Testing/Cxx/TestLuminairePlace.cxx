@@ -2,7 +2,7 @@
 // A luminaire goes where the points of its glyph go, and is refused where they say nothing clear.
 #include "LuminaireTools.h"
 
-#include "PhotonTransport/lights/LampTables.h"
+#include "PhotonTransport/lights/Lamp.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCleanPolyData.h"
@@ -61,10 +61,9 @@ struct PartsOf
   Parts operator()(const SpotLamp& l) const { return { { l.position }, { l.direction }, {} }; }
   Parts operator()(const RectangleLamp& l) const
   {
-    const glm::dvec3 aim = glm::normalize(l.direction);
-    const glm::dvec3 across = WidthAxis(l, aim);
-    return { { l.centre, l.centre + 0.5 * l.width * across,
-               l.centre + 0.5 * l.height * glm::cross(aim, across) },
+    const auto axes = l.Axes();
+    return { { l.centre, l.centre + 0.5 * l.width * axes.width,
+               l.centre + 0.5 * l.height * axes.height },
       { l.direction }, { l.width, l.height } };
   }
   Parts operator()(const DiskLamp& l) const
@@ -77,7 +76,7 @@ struct PartsOf
   Parts operator()(const CieSky& l) const { return { {}, { l.up, l.sun }, {} }; }
   Parts operator()(const PhotometricLamp& l) const
   {
-    const LampAxes axes = AxesOf(glm::normalize(l.direction), l.rotation);
+    const auto axes = l.Axes();
     return { { l.position }, { axes.aim, axes.x, axes.y }, {} };
   }
   template <typename Other>
@@ -269,7 +268,7 @@ void CheckMirrorImages(Checks& check)
     const auto image = std::get<PhotometricLamp>(ReadLuminaire(moved)->lamp);
     const auto towards = [](const PhotometricLamp& l, const glm::dvec3& d)
     {
-      const LampAxes axes = AxesOf(glm::normalize(l.direction), l.rotation);
+      const auto axes = l.Axes();
       const double degrees = 45.0 / std::atan(1.0);
       return Intensity(l.solid, degrees * std::acos(glm::clamp(glm::dot(d, axes.aim), -1.0, 1.0)),
         degrees * std::atan2(glm::dot(d, axes.y), glm::dot(d, axes.x)));

@@ -181,6 +181,32 @@ TEST_F(LampPlace, OnEveryWallEdgeCornerAndVertex)
     "lamps that touch several surfaces at once", "on every wall, edge, corner and in the middle");
 }
 
+// The edge of a room under a roof as flat as one degree: both walls lie close behind such a lamp.
+TEST_F(LampPlace, InAcuteEdges)
+{
+  for (const double degrees : { 0.0, 37.0, 123.0 })
+  {
+    for (const double wedge : { 10.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0 })
+    {
+      SCOPED_TRACE(std::to_string(degrees) + " degrees, wedge of " + std::to_string(wedge));
+      const Motion motion = Turned(degrees, degrees / 30.0);
+      const Surface room = Moved(Shapes::Wedge(wedge, Facing::Inward), motion);
+      const double half = glm::radians(0.5 * wedge);
+      const glm::dvec3 aim = motion.Direction({ std::cos(half), std::sin(half), 0.0 });
+      for (const double z : { 0.5, 0.3, 0.0 })
+      {
+        const glm::dvec3 place = motion.Point({ 0.0, 0.0, z });
+        this->ExpectAllOnFronts(room, PointLamp{ place, Lumens });
+        this->ExpectAllOnFronts(room, LambertianPointLamp{ place, aim, Lumens });
+        this->ExpectAllOnFronts(room, SpotLamp{ place, aim, 0.3 * half, 0.0, Lumens });
+      }
+      const glm::dvec3 middle = motion.Point({ 0.0, 0.0, 0.5 });
+      this->ExpectAllOnFronts(room, LineLamp{ middle, motion.Direction({ 0, 0, 1 }), 0.4, Lumens });
+    }
+  }
+  this->ReportLamps("lamps between walls that meet at 1 to 10 degrees", "in acute edges");
+}
+
 // A tube in the edge of ceiling and wall, and one across the ceiling: in front of both.
 TEST_F(LampPlace, TubesOnWallsAndEdges)
 {

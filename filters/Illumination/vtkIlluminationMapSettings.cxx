@@ -2,6 +2,7 @@
 // The properties of vtkIlluminationMap in the core's terms.
 #include "vtkIlluminationMap.h"
 
+#include "Illumination/luminaires/LampProperties.h"
 #include "Illumination/luminaires/LuminaireFields.h"
 #include "Illumination/luminaires/LuminaireInput.h"
 #include "Illumination/pipeline/InputError.h"
@@ -11,22 +12,16 @@
 #include "PhotonTransport/lights/Lamp.h"
 #include "PhotonTransport/transport/IlluminationRun.h"
 
-#include "vtkMath.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
 #include <sstream>
+#include <type_traits>
 #include <utility>
 
 namespace
 {
-
-glm::dvec3 Vector(const double v[3])
-{
-  return { v[0], v[1], v[2] };
-}
 
 float Checked(double value, double least, double most, const char* property)
 {
@@ -52,30 +47,25 @@ Unsigned Count(Signed value, const char* what)
   return static_cast<Unsigned>(value);
 }
 
+// The types are the first kinds of lamps, and then that of facets.
+static_assert(
+  std::is_same_v<std::variant_alternative_t<vtkIlluminationMap::DISK, PhotonTransport::Lamp>,
+    PhotonTransport::DiskLamp>);
+
 PhotonTransport::Lamp LampOf(vtkIlluminationMap* filter)
 {
-  const glm::dvec3 position = Vector(filter->GetLampPosition());
-  const glm::dvec3 direction = Vector(filter->GetLampDirection());
-  const double* size = filter->GetLampSize();
-  const double flux = filter->GetLuminousFlux();
-  switch (filter->GetLampType())
+  if (filter->GetLampType() == vtkIlluminationMap::EMITTING_FACETS)
   {
-    case vtkIlluminationMap::POINT:
-      return PhotonTransport::PointLamp{ position, flux };
-    case vtkIlluminationMap::LAMBERTIAN_POINT:
-      return PhotonTransport::LambertianPointLamp{ position, direction, flux };
-    case vtkIlluminationMap::SPOT:
-      return PhotonTransport::SpotLamp{ position, direction,
-        vtkMath::RadiansFromDegrees(filter->GetSpotHalfAngle()), filter->GetSpotExponent(), flux };
-    case vtkIlluminationMap::RECTANGLE:
-      return PhotonTransport::RectangleLamp{ position, direction, size[0], size[1], flux };
-    case vtkIlluminationMap::DISK:
-      return PhotonTransport::DiskLamp{ position, direction, size[0], flux };
-    case vtkIlluminationMap::EMITTING_FACETS:
-      return PhotonTransport::EmittingFacets{};
-    default:
-      return PhotonTransport::ParallelLight{ direction, filter->GetParallelIlluminance() };
+    return PhotonTransport::EmittingFacets{};
   }
+  return PhotonTransport::DescribedLamp(static_cast<std::size_t>(filter->GetLampType()),
+    LampProperties({ { "LuminairePosition", [=](int c) { return filter->GetLampPosition()[c]; } },
+      { "LuminaireDirection", [=](int c) { return filter->GetLampDirection()[c]; } },
+      { "LuminaireSize", [=](int part) { return filter->GetLampSize()[part]; } },
+      { "LuminousFlux", [=](int) { return filter->GetLuminousFlux(); } },
+      { "LuminaireIlluminance", [=](int) { return filter->GetParallelIlluminance(); } },
+      { "SpotHalfAngle", [=](int) { return filter->GetSpotHalfAngle(); } },
+      { "SpotExponent", [=](int) { return filter->GetSpotExponent(); } } }));
 }
 
 bool IsBlank(const std::string& name)

@@ -102,11 +102,16 @@ std::optional<Luminaire> ReadEmittingSurface(vtkPolyData* data)
   {
     TurnToNormals(mesh, normals, cells);
   }
+  for (const Colour& colour : exitance)
+  {
+    mesh.exitance.push_back(Luminous(colour));
+  }
+  const std::vector<bool> copies = CopiesIn(mesh);
   glm::dvec3 light(0.0);
   for (std::size_t f = 0; f < mesh.facets.size(); ++f)
   {
-    mesh.exitance.push_back(Luminous(exitance[f]));
-    light += glm::length(AreaVector(mesh, mesh.facets[f])) * glm::dvec3(exitance[f]);
+    light += copies[f] ? glm::dvec3(0.0)
+                       : glm::length(AreaVector(mesh, mesh.facets[f])) * glm::dvec3(exitance[f]);
   }
   auto* name =
     vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("LuminaireName"));

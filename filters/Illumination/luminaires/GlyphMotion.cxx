@@ -91,9 +91,9 @@ Fit BestFit(const Points& was, const Points& is)
 
 } // namespace
 
-GlyphMotion FindMotion(const Points& was, const Points& is)
+PhotonTransport::Similarity FindMotion(const Points& was, const Points& is)
 {
-  GlyphMotion motion;
+  PhotonTransport::Similarity motion;
   if (was == is)
   {
     return motion;

@@ -10,60 +10,6 @@
 namespace
 {
 
-struct Places
-{
-  std::optional<glm::dvec3> operator()(const PhotonTransport::PointLamp& lamp) const
-  {
-    return lamp.position;
-  }
-  std::optional<glm::dvec3> operator()(const PhotonTransport::LambertianPointLamp& lamp) const
-  {
-    return lamp.position;
-  }
-  std::optional<glm::dvec3> operator()(const PhotonTransport::SpotLamp& lamp) const
-  {
-    return lamp.position;
-  }
-  std::optional<glm::dvec3> operator()(const PhotonTransport::PhotometricLamp& lamp) const
-  {
-    return lamp.position;
-  }
-  std::optional<glm::dvec3> operator()(const PhotonTransport::RectangleLamp& lamp) const
-  {
-    return lamp.centre;
-  }
-  std::optional<glm::dvec3> operator()(const PhotonTransport::DiskLamp& lamp) const
-  {
-    return lamp.centre;
-  }
-  std::optional<glm::dvec3> operator()(const PhotonTransport::SphereLamp& lamp) const
-  {
-    return lamp.centre;
-  }
-  std::optional<glm::dvec3> operator()(const PhotonTransport::LineLamp& lamp) const
-  {
-    return lamp.centre;
-  }
-  std::optional<glm::dvec3> operator()(const PhotonTransport::EmittingMesh& lamp) const
-  {
-    if (lamp.points.empty())
-    {
-      return std::nullopt;
-    }
-    glm::dvec3 sum(0.0);
-    for (const glm::dvec3& point : lamp.points)
-    {
-      sum += point / static_cast<double>(lamp.points.size());
-    }
-    return sum;
-  }
-  template <typename Other>
-  std::optional<glm::dvec3> operator()(const Other&) const
-  {
-    return std::nullopt;
-  }
-};
-
 bool IsIn(const glm::dvec3& place, const Box& box)
 {
   return glm::all(glm::greaterThanEqual(place, box.least)) &&
@@ -89,7 +35,7 @@ Box BoxOf(const PhotonTransport::Surface& surface)
 
 std::optional<glm::dvec3> PlaceOf(const PhotonTransport::Lamp& lamp)
 {
-  return std::visit(Places(), lamp);
+  return std::visit([](const auto& l) { return l.Place(); }, lamp);
 }
 
 std::string HintOnUnits(const glm::dvec3& place, const Box& box)

@@ -27,7 +27,8 @@ bool HasLuminaireFields(vtkFieldData* fields);
 /// were moved since (see LuminairePlace.h). Without such fields, a surface with a cell array
 /// "Exitance" (lm/m^2, 1 component or 3) as PhotonTransport::EmittingMesh. Nothing if there is
 /// neither. Throws InputError for fields or arrays that are invalid or contradict each other, for
-/// data with both, for LuminaireError, and as MotionOf and Moved do.
+/// data with both, for LuminaireError, for a photometric lamp that was mirrored and is not
+/// symmetric, and as MotionOf does.
 std::optional<PhotonTransport::Luminaire> ReadLuminaire(vtkPolyData* data);
 
 #endif

@@ -4,9 +4,6 @@
 #include "Illumination/luminaires/PhotometricSurface.h"
 #include "Illumination/pipeline/FieldArrays.h"
 
-#include "PhotonTransport/lights/CieSkyLuminance.h"
-#include "PhotonTransport/lights/LampTables.h"
-
 #include "vtkAlgorithm.h"
 #include "vtkArrowSource.h"
 #include "vtkCellArray.h"
@@ -25,7 +22,6 @@
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <variant>
 #include <vector>
@@ -36,29 +32,16 @@ namespace
 using namespace PhotonTransport;
 
 constexpr int Sides = 48; ///< Of what is round.
-constexpr glm::dvec3 UnturnedAim{ 0.0, 0.0, -1.0 };
-
-/// The vector at unit length, without overflow at 1e200 or underflow at 1e-200.
-glm::dvec3 Unit(const glm::dvec3& v)
-{
-  const double largest = std::max({ std::fabs(v.x), std::fabs(v.y), std::fabs(v.z) });
-  return glm::normalize(v / largest);
-}
-
-/// The source's output, which aims along -z at the origin, scaled, turned the shortest way (about x
-/// if opposite) so that it aims along `aim`, and moved to the position.
+/// The source's output, which aims along -z at the origin, scaled, turned so that it aims along
+/// `aim`, and moved to the position.
 vtkSmartPointer<vtkPolyData> Placed(vtkAlgorithm* source, double scale, const glm::dvec3& position,
   const glm::dvec3& aim, double rotation = 0.0)
 {
-  const glm::dvec3 to = Unit(aim);
-  glm::dvec3 axis = glm::cross(UnturnedAim, to);
-  const double sine = glm::length(axis);
-  axis = sine > 0.0 ? axis : glm::dvec3(1.0, 0.0, 0.0);
-  const double angle = std::atan2(sine, glm::dot(UnturnedAim, to));
-
+  const ShortestTurn turn(Unit(aim));
+  const glm::dvec3 axis = turn.About();
   vtkNew<vtkTransform> transform;
   transform->Translate(position.x, position.y, position.z); // each acts before those above it
-  transform->RotateWXYZ(vtkMath::DegreesFromRadians(angle), axis.x, axis.y, axis.z);
+  transform->RotateWXYZ(vtkMath::DegreesFromRadians(turn.Angle()), axis.x, axis.y, axis.z);
   transform->RotateZ(vtkMath::DegreesFromRadians(rotation));
   transform->Scale(scale, scale, scale);
   vtkNew<vtkTransformPolyDataFilter> placed;
@@ -124,23 +107,13 @@ vtkSmartPointer<vtkPolyData> Dome(const glm::dvec3& up, bool whole, const Lumina
 /// The sky's luminance, cd/m^2, at each point of its dome.
 void AddLuminance(vtkPolyData* dome, const CieSky& sky, const glm::dvec3& centre)
 {
-  const double sunZenithAngle = SunZenithAngle(sky);
-  const double zenith = ZenithLuminance(sky, SkyTable(sky.type, sunZenithAngle));
-  const glm::dvec3 up = Unit(sky.up);
-  const glm::dvec3 sun = Unit(sky.sun);
-  std::vector<double> luminance;
-  for (vtkIdType p = 0; p < dome->GetNumberOfPoints(); ++p)
+  std::vector<glm::dvec3> towards(static_cast<std::size_t>(dome->GetNumberOfPoints()));
+  for (std::size_t p = 0; p < towards.size(); ++p)
   {
-    glm::dvec3 point;
-    dome->GetPoint(p, &point.x);
-    const glm::dvec3 direction = Unit(point - centre);
-    const auto angleTo = [&](const glm::dvec3& other)
-    { return std::acos(std::clamp(glm::dot(direction, other), -1.0, 1.0)); };
-    const double zenithAngle = std::min(angleTo(up), vtkMath::Pi() / 2.0);
-    luminance.push_back(
-      zenith * RelativeSkyLuminance(sky.type, zenithAngle, sunZenithAngle, angleTo(sun)));
+    dome->GetPoint(static_cast<vtkIdType>(p), &towards[p].x);
+    towards[p] -= centre;
   }
-  AddArray(dome->GetPointData(), "Luminance", luminance);
+  AddArray(dome->GetPointData(), "Luminance", sky.Luminance(towards));
   dome->GetPointData()->SetActiveScalars("Luminance");
 }
 
@@ -187,10 +160,9 @@ public:
     {
       return Arrow(lamp.centre, lamp.direction, this->Glyph.size);
     }
-    const glm::dvec3 aim = Unit(lamp.direction);
-    const glm::dvec3 axis = WidthAxis(lamp, aim);
-    const glm::dvec3 width = axis * (lamp.width / 2.0);
-    const glm::dvec3 height = glm::cross(aim, axis) * (lamp.height / 2.0);
+    const auto axes = lamp.Axes();
+    const glm::dvec3 width = axes.width * (lamp.width / 2.0);
+    const glm::dvec3 height = axes.height * (lamp.height / 2.0);
 
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
@@ -206,7 +178,7 @@ public:
     auto panel = Result::New();
     panel->SetPoints(points);
     panel->SetPolys(cells);
-    AddAim(panel, lamp.centre, aim, (lamp.width + lamp.height) / 4.0);
+    AddAim(panel, lamp.centre, axes.aim, (lamp.width + lamp.height) / 4.0);
     return panel;
   }
   Result operator()(const DiskLamp& lamp) const

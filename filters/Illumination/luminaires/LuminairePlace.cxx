@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Illumination/luminaires/LuminairePlace.h"
 
+#include "Illumination/luminaires/GlyphMotion.h"
 #include "Illumination/pipeline/FieldArrays.h"
 #include "Illumination/pipeline/FieldValues.h"
 #include "Illumination/pipeline/InputError.h"
@@ -168,7 +169,7 @@ void RememberPlace(vtkPolyData* glyph)
     glyph->GetFieldData(), GlyphArray, std::vector<double>{ key, measure.area, measure.length });
 }
 
-GlyphMotion MotionOf(vtkPolyData* glyph)
+PhotonTransport::Similarity MotionOf(vtkPolyData* glyph)
 {
   if (!glyph->GetFieldData()->HasArray(GlyphArray) && !HasLuminairePoints(glyph))
   {

@@ -4,7 +4,7 @@
 #ifndef LuminairePlace_h
 #define LuminairePlace_h
 
-#include "Illumination/luminaires/GlyphMotion.h"
+#include "PhotonTransport/geometry/Similarity.h"
 
 class vtkPolyData;
 
@@ -16,7 +16,7 @@ void RememberPlace(vtkPolyData* glyph);
 /// How the glyph was moved since RememberPlace; no motion for data that never had these arrays.
 /// Throws InputError for a glyph that lost one of them or some of its cells, or holds points of
 /// another luminaire, and for motions that are none of FindMotion's.
-GlyphMotion MotionOf(vtkPolyData* glyph);
+PhotonTransport::Similarity MotionOf(vtkPolyData* glyph);
 
 /// Whether the data have the point array LuminairePoint.
 bool HasLuminairePoints(vtkPolyData* data);

@@ -269,12 +269,9 @@ std::vector<std::string> NotesOn(const PhotonTransport::Lighting& lighting)
   std::vector<std::string> notes;
   for (const PhotonTransport::Luminaire& luminaire : lighting.luminaires)
   {
-    if (const auto* lamp = std::get_if<PhotonTransport::PhotometricLamp>(&luminaire.lamp))
-    {
-      std::transform(lamp->solid.notes.begin(), lamp->solid.notes.end(), std::back_inserter(notes),
-        [&](const std::string& note)
-        { return "photometric file of luminaire '" + luminaire.name + "', " + note; });
-    }
+    const auto onLamp =
+      std::visit([&](const auto& lamp) { return lamp.Notes(luminaire.name); }, luminaire.lamp);
+    notes.insert(notes.end(), onLamp.begin(), onLamp.end());
   }
   return notes;
 }

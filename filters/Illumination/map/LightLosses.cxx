@@ -156,10 +156,8 @@ double Share(std::uint64_t part, std::uint64_t whole)
 
 bool ComesFromOutside(const Luminaire& luminaire)
 {
-  const PhotonTransport::Lamp& lamp = luminaire.lamp;
-  return std::holds_alternative<PhotonTransport::ParallelLight>(lamp) ||
-    std::holds_alternative<PhotonTransport::UniformSky>(lamp) ||
-    std::holds_alternative<PhotonTransport::CieSky>(lamp);
+  const PhotonTransport::LampClass kind = ClassOf(luminaire.lamp);
+  return kind == PhotonTransport::LampClass::Parallel || kind == PhotonTransport::LampClass::Sky;
 }
 
 std::vector<Loss> LossesByLamp(const TracedScene& traced)

@@ -8,9 +8,16 @@
 
 #include "vtkDataArray.h"
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cmath>
+
+/// Throws InputError.
+[[noreturn]] inline void RefuseField(const std::string& array, const std::string& message)
+{
+  throw InputError("field array '" + array + "' " + message);
+}
 
 /// Puts each value into a field array of its name.
 class FieldWriter
@@ -41,15 +48,29 @@ public:
     AddArray(this->Fields, name, std::vector<std::array<double, 3>>{ { v.x, v.y, v.z } });
   }
 
+  void operator()(const char* name, const glm::dvec2& v) const
+  {
+    (*this)(name, std::vector<double>{ v.x, v.y });
+  }
+  void operator()(const char* name, int number, int, int) const
+  {
+    (*this)(name, static_cast<double>(number));
+  }
+  void operator()(const char* name, bool is) const { (*this)(name, is ? 1.0 : 0.0); }
+  /// A value that has fields of its own.
+  template <typename Part>
+  auto operator()(const char*, Part& part) const -> decltype(DescribeFields(*this, part))
+  {
+    DescribeFields(*this, part);
+  }
+  [[noreturn]] static void Refuse(const std::string& array, const std::string& message)
+  {
+    RefuseField(array, message);
+  }
+
 private:
   vtkFieldData* Fields;
 };
-
-/// Throws InputError.
-[[noreturn]] inline void RefuseField(const std::string& array, const std::string& message)
-{
-  throw InputError("field array '" + array + "' " + message);
-}
 
 /// Takes each value from the field array of its name. Throws InputError for an array that is
 /// missing, of the wrong size or kind, or holds a number that is not finite.
@@ -108,6 +129,33 @@ public:
   {
     const std::vector<double> numbers = this->Numbers(name, 3);
     v = { numbers[0], numbers[1], numbers[2] };
+  }
+  void operator()(const char* name, glm::dvec2& v) const
+  {
+    const std::vector<double> numbers = this->Numbers(name, 2);
+    v = { numbers[0], numbers[1] };
+  }
+  void operator()(const char* name, int& number, int least, int most) const
+  {
+    const double read = this->Numbers(name, 1).front();
+    if (!(read >= least && read <= most && read == std::floor(read)))
+    {
+      RefuseField(name,
+        "is " + std::to_string(read) + "; it must be a whole number from " + std::to_string(least) +
+          " to " + std::to_string(most));
+    }
+    number = static_cast<int>(read);
+  }
+  void operator()(const char* name, bool& is) const { is = this->Numbers(name, 1).front() != 0.0; }
+  /// A value that has fields of its own.
+  template <typename Part>
+  auto operator()(const char*, Part& part) const -> decltype(DescribeFields(*this, part))
+  {
+    DescribeFields(*this, part);
+  }
+  [[noreturn]] static void Refuse(const std::string& array, const std::string& message)
+  {
+    RefuseField(array, message);
   }
 
 private:

@@ -79,40 +79,24 @@ std::string ColourReason(const Scene& scene, const Lighting& lighting, bool swit
   return switchedOn ? "colour: on, " + share : "colour: off, switched off though " + share;
 }
 
-struct LampCounts
-{
-  std::size_t area = 0, photometric = 0, sky = 0;
-  void operator()(const RectangleLamp&) { ++this->area; }
-  void operator()(const DiskLamp&) { ++this->area; }
-  void operator()(const SphereLamp&) { ++this->area; }
-  void operator()(const LineLamp&) { ++this->area; }
-  void operator()(const EmittingFacets&) { ++this->area; }
-  void operator()(const EmittingMesh&) { ++this->area; }
-  void operator()(const PhotometricLamp&) { ++this->photometric; }
-  void operator()(const UniformSky&) { ++this->sky; }
-  void operator()(const CieSky&) { ++this->sky; }
-  template <typename Other>
-  void operator()(const Other&)
-  {
-  }
-};
-
 std::vector<std::string> LampReasons(const Lighting& lighting)
 {
-  LampCounts counts;
-  for (const Luminaire& luminaire : lighting.luminaires)
-  {
-    std::visit([&](const auto& lamp) { counts(lamp); }, luminaire.lamp);
-  }
   const std::size_t lamps = lighting.luminaires.size();
-  const auto line = [&](const char* effect, std::size_t count, const char* what)
+  const auto count = [&](LampClass wanted)
   {
-    return count > 0 ? Line(effect, ": on, ", count, " of ", lamps, " lamps")
-                     : Line(effect, ": off, none of ", lamps, " lamps ", what);
+    return static_cast<std::size_t>(
+      std::count_if(lighting.luminaires.begin(), lighting.luminaires.end(),
+        [&](const Luminaire& luminaire) { return ClassOf(luminaire.lamp) == wanted; }));
   };
-  return { line("area lamps", counts.area, "shines from an area or a line"),
-    line("photometric lamps", counts.photometric, "has the intensities of a photometric file"),
-    line("sky", counts.sky, "is a sky"),
+  const auto line = [&](const char* effect, std::size_t number, const char* what)
+  {
+    return number > 0 ? Line(effect, ": on, ", number, " of ", lamps, " lamps")
+                      : Line(effect, ": off, none of ", lamps, " lamps ", what);
+  };
+  return { line("area lamps", count(LampClass::Area), "shines from an area or a line"),
+    line("photometric lamps", count(LampClass::Photometric),
+      "has the intensities of a photometric file"),
+    line("sky", count(LampClass::Sky), "is a sky"),
     line("choice between lamps", lamps > 1 ? lamps : 0, "is one of several") };
 }
 

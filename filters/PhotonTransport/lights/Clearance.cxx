@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
+#include <utility>
 
 namespace PhotonTransport
 {
@@ -27,12 +29,17 @@ constexpr double Along = 1e-3;
 /// Above this cosine two planes face the same way.
 constexpr double SamePlane = 0.999;
 
+/// A lamp is not moved further than this, relative to Clear: to the bisector of an edge of half a
+/// degree.
+constexpr double Farthest = 256.0;
+
 /// The lamp is to stand at `distance` or more above the plane through `point`.
 struct HalfSpace
 {
   glm::dvec3 point;
   glm::dvec3 normal;
   double distance;
+  const Facet* facet; ///< Which it touches.
 };
 
 /// The half-space that a lamp is to be in which touches the facet.
@@ -42,7 +49,29 @@ HalfSpace SideOf(const Scene& scene, const Facet& facet, const glm::dvec3& aim, 
   const bool back = glm::dot(aim, normal) < -Along;
   // An aim against the normal is that of a lamp which shines through the facet to its back.
   return { glm::dvec3(scene.Vertices()[facet.vertices.x].position), back ? -normal : normal,
-    distance };
+    distance, &facet };
+}
+
+/// Whether a corner of the facet lies clearly in front of the side.
+bool ReachesInFront(const Scene& scene, const Facet& facet, const HalfSpace& side)
+{
+  bool reaches = false;
+  for (int c = 0; c < 3; ++c)
+  {
+    const glm::dvec3 corner(scene.Vertices()[facet.vertices[c]].position);
+    reaches = reaches || glm::dot(corner - side.point, side.normal) > 2.0 * side.distance;
+  }
+  return reaches;
+}
+
+/// Whether a lamp that stands clear of one side stands clear of the other: their planes face the
+/// same way, or opposite ways as those of double sheets and thin plates do. Between the walls of an
+/// acute edge it does not: each of them lies in front of the other.
+bool AreOne(const Scene& scene, const HalfSpace& a, const HalfSpace& b)
+{
+  const double cosine = glm::dot(a.normal, b.normal);
+  return std::fabs(cosine) > SamePlane &&
+    (cosine > 0.0 || !ReachesInFront(scene, *a.facet, b) || !ReachesInFront(scene, *b.facet, a));
 }
 
 void AddTouched(
@@ -59,14 +88,82 @@ void AddTouched(
     const Facet& facet = scene.Facets()[f];
     const HalfSpace side = SideOf(scene, facet, aim, Clear * reach);
     const bool isNew = std::none_of(sides.begin(), sides.end(),
-      [&](const HalfSpace& known)
-      { return std::fabs(glm::dot(known.normal, side.normal)) > SamePlane; });
+      [&](const HalfSpace& known) { return AreOne(scene, known, side); });
     if (isNew &&
       Within(place, Touching * reach, corner(facet, 0), corner(facet, 1), corner(facet, 2)))
     {
       sides.push_back(side);
     }
   }
+}
+
+/// By how much a lamp is too near to a side; 0 if it stands clear of it, or is so far behind that
+/// the side is not its own.
+double Missing(const HalfSpace& side, const std::vector<glm::dvec3>& places)
+{
+  double most = 0.0;
+  for (const glm::dvec3& place : places)
+  {
+    const double missing = side.distance - glm::dot(place - side.point, side.normal);
+    most = missing < 4.0 * side.distance ? std::max(most, missing) : most;
+  }
+  return most;
+}
+
+/// Which a way from the origin is to reach.
+struct Plane
+{
+  glm::dvec3 normal;
+  double distance; ///< From the origin.
+};
+
+/// The least vector to the line or point that up to three planes have in common; not finite if
+/// there is none.
+glm::dvec3 LeastOnPlanes(const std::vector<Plane>& planes)
+{
+  if (planes.empty())
+  {
+    return glm::dvec3(0.0);
+  }
+  // The vector lies in the span of the normals; they are made orthogonal (Gram and Schmidt).
+  glm::dvec3 way(0.0);
+  std::vector<glm::dvec3> axes;
+  for (const Plane& plane : planes)
+  {
+    glm::dvec3 axis = plane.normal;
+    for (const glm::dvec3& other : axes)
+    {
+      axis -= glm::dot(axis, other) * other;
+    }
+    axis = glm::normalize(axis);
+    way += axis * ((plane.distance - glm::dot(way, plane.normal)) / glm::dot(axis, plane.normal));
+    axes.push_back(axis);
+  }
+  return way;
+}
+
+/// The least way that leads to or beyond each of the first `count` planes and onto all of `on`. A
+/// plane that the least way for those before it misses is one on which the least way lies (Seidel,
+/// "Small-Dimensional Linear Programming and Convex Hulls Made Easy", 1991, for a norm). Not finite
+/// if there is none.
+glm::dvec3 LeastWay(const std::vector<Plane>& planes, std::size_t count, std::vector<Plane> on)
+{
+  constexpr double Rounding = 1e-9; // of the distances
+  glm::dvec3 way = LeastOnPlanes(on);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (glm::dot(way, planes[i].normal) < planes[i].distance * (1.0 - Rounding))
+    {
+      if (on.size() == 3)
+      {
+        return glm::dvec3(std::numeric_limits<double>::infinity());
+      }
+      std::vector<Plane> withThis = on;
+      withThis.push_back(planes[i]);
+      way = LeastWay(planes, i, std::move(withThis));
+    }
+  }
+  return way;
 }
 
 } // namespace
@@ -99,7 +196,20 @@ glm::dvec3 WayClearOfFacets(
       }
     }
   }
-  return way;
+  if (clear)
+  {
+    return way;
+  }
+  // Between walls at an angle a it would take some 1 / a^2 rounds.
+  std::vector<Plane> planes;
+  double distance = 0.0;
+  for (const HalfSpace& side : sides)
+  {
+    planes.push_back({ side.normal, Missing(side, places) });
+    distance = std::max(distance, side.distance);
+  }
+  const glm::dvec3 least = LeastWay(planes, planes.size(), {});
+  return glm::length(least) <= Farthest * distance ? least : way;
 }
 
 } // namespace PhotonTransport

@@ -3,8 +3,11 @@
 
 #include "PhotonTransport/lights/FluxTable.h"
 
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -61,5 +64,15 @@ private:
   /// which has as many equal parts as there are intervals. See FluxTable.
   std::vector<std::uint32_t> FirstOfPart;
 };
+
+/// The unit vector to what DirectionTable::Sample gives. @param azimuth0, azimuth90, pole
+/// Orthonormal.
+inline glm::vec3 UnitDirection(const glm::dvec2& angles, const glm::dvec3& azimuth0,
+  const glm::dvec3& azimuth90, const glm::dvec3& pole)
+{
+  const double sine = std::sin(angles.x);
+  return glm::normalize(glm::vec3(std::cos(angles.x) * pole +
+    sine * (std::cos(angles.y) * azimuth0 + std::sin(angles.y) * azimuth90)));
+}
 
 } // namespace PhotonTransport

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/lights/Emitter.h"
 
-#include "PhotonTransport/lights/PrepareEmitter.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 
 #include <cmath>
+#include <utility>
 
 namespace PhotonTransport
 {
@@ -35,12 +35,18 @@ void RequireColour(const Colour& colour)
   }
 }
 
-PreparedEmitter Prepared(const Luminaire& luminaire, const Scene& scene)
+Prepared<LampEmitter> PreparedLamp(const Luminaire& luminaire, const Scene& scene)
 {
   try
   {
     RequireColour(luminaire.colour);
-    return PrepareEmitter(luminaire.lamp, scene);
+    return std::visit(
+      [&](const auto& lamp)
+      {
+        auto prepared = lamp.Prepare(scene);
+        return Prepared<LampEmitter>{ std::move(prepared.emitter), prepared.flux };
+      },
+      luminaire.lamp);
   }
   catch (const InvalidInput& error)
   {
@@ -56,8 +62,8 @@ Emitter::Emitter(const Lighting& lighting, const Scene& scene, bool colour)
   std::vector<double> fluxes;
   for (const Luminaire& luminaire : lighting.luminaires)
   {
-    PreparedEmitter prepared = Prepared(luminaire, scene);
-    this->Kinds.push_back(std::move(prepared.source));
+    Prepared<LampEmitter> prepared = PreparedLamp(luminaire, scene);
+    this->Emitters.push_back(std::move(prepared.emitter));
     fluxes.push_back(prepared.flux);
     this->TotalFlux += prepared.flux;
     if (colour)
@@ -82,7 +88,7 @@ std::uint32_t Emitter::ChooseChannel(
 {
   const float number = sample.ChannelNumber();
   Colour ends = this->ChannelEnds[lamp];
-  if (const auto* facets = std::get_if<FacetEmitter>(&this->Kinds[lamp]))
+  if (const auto* facets = std::get_if<FacetEmitter>(&this->Emitters[lamp]))
   {
     const std::vector<Colour>& colours = facets->scene->ExitanceColour();
     ends = colours.empty() ? ends : ChannelEndsOf(colours[facets->FacetOf(sample, share)]);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PhotonTransport/lights/EmitterKinds.h"
 #include "PhotonTransport/lights/Lamp.h"
 #include "PhotonTransport/sampling/PhotonSample.h"
 #include "PhotonTransport/scene/Scene.h"
@@ -35,20 +34,20 @@ public:
   /// from which photons start.
   double Flux() const { return this->TotalFlux; }
 
-  std::size_t Lamps() const { return this->Kinds.size(); }
+  std::size_t Lamps() const { return this->Emitters.size(); }
 
   Emission Emit(const PhotonSample& sample) const
   {
     Emission emission;
     Share share;
-    if (this->Kinds.size() > 1)
+    if (this->Emitters.size() > 1)
     {
       const std::size_t lamp = this->Table.At(share.PlaceOf(sample));
       share = { this->Table.Begin(lamp), this->Table.End(lamp) - this->Table.Begin(lamp) };
       emission.lamp = static_cast<std::uint32_t>(lamp);
     }
-    emission.ray = std::visit(
-      [&](const auto& kind) { return kind.Emit(sample, share); }, this->Kinds[emission.lamp]);
+    emission.ray = std::visit([&](const auto& emitter) { return emitter.Emit(sample, share); },
+      this->Emitters[emission.lamp]);
     if (!this->ChannelEnds.empty())
     {
       emission.channel = this->ChooseChannel(sample, emission.lamp, share);
@@ -60,7 +59,7 @@ private:
   std::uint32_t ChooseChannel(
     const PhotonSample& sample, std::uint32_t lamp, const Share& share) const;
 
-  std::vector<EmitterKind> Kinds;
+  std::vector<LampEmitter> Emitters;
   FluxTable Table; ///< Chooses the lamp, where there are several.
   /// [lamp] Shares of red, of red and green, and of all in the lamp's flux; empty without colour.
   std::vector<Colour> ChannelEnds;

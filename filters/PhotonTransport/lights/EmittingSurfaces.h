@@ -1,14 +1,77 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PhotonTransport/lights/PrepareEmitter.h"
+#include "PhotonTransport/lights/FluxTable.h"
+#include "PhotonTransport/lights/LampKind.h"
 
 namespace PhotonTransport
 {
 
-// Surfaces that shine, made ready; see PrepareEmitter.
+/// Lambertian photons from the scene's own facets, each chosen by its share of the flux.
+struct FacetEmitter
+{
+  const Scene* scene;
+  std::vector<std::uint32_t> facets; ///< Those that shine.
+  FluxTable table;                   ///< Chooses one of them.
+  std::uint32_t FacetOf(const PhotonSample& sample, const Share& share) const
+  {
+    return this->facets[this->table.At(share.PlaceOf(sample))];
+  }
+  Ray Emit(const PhotonSample& sample, const Share& share) const;
+};
 
-PreparedEmitter Prepare(const EmittingFacets& lamp, const Scene& scene);
-PreparedEmitter Prepare(const EmittingMesh& lamp, const Scene& scene);
+/// Lambertian photons from triangles that are not part of the scene.
+struct MeshEmitter
+{
+  struct Triangle
+  {
+    glm::dvec3 corner, u, v;
+    glm::vec3 normal; ///< On the side that shines.
+  };
+  std::vector<Triangle> triangles;
+  FluxTable table;
+  Ray Emit(const PhotonSample& sample, const Share& share) const;
+};
+
+/// The surface's own facets shine from their fronts, each with its Surface::exitance.
+struct EmittingFacets
+{
+  static constexpr const char* Name = nullptr;
+  static constexpr LampClass Class = LampClass::Area;
+  template <typename Fields>
+  void Describe(const Fields&)
+  {
+  }
+  std::optional<glm::dvec3> Place() const { return std::nullopt; }
+  void Move(const Similarity&) {} // it is where its points are
+  LampNotes Notes(const std::string&) const { return {}; }
+  Prepared<FacetEmitter> Prepare(const Scene& scene) const;
+};
+
+/// Triangles that shine diffusely to the side round which their corners run counter-clockwise.
+/// They stop no photons. Of exact copies of a triangle the brightest one shines.
+struct EmittingMesh
+{
+  std::vector<glm::dvec3> points;
+  std::vector<glm::uvec3> facets;
+  std::vector<float> exitance; ///< lm/m^2, one a facet, >= 0.
+
+  static constexpr const char* Name = nullptr;
+  static constexpr LampClass Class = LampClass::Area;
+  template <typename Fields>
+  void Describe(const Fields&)
+  {
+  }
+  /// The mean of the points.
+  std::optional<glm::dvec3> Place() const;
+  void Move(const Similarity&) {} // it is where its points are
+  LampNotes Notes(const std::string& name) const;
+  Prepared<MeshEmitter> Prepare(const Scene& scene) const;
+};
+
+/// [facet] Whether it has the same corners in the same turn as another facet, which shines in its
+/// place: the one of the largest exitance, or the first of those.
+/// @param mesh One exitance a facet; its facets use no points but its own.
+std::vector<bool> CopiesIn(const EmittingMesh& mesh);
 
 } // namespace PhotonTransport

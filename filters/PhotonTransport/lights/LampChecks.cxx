@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/lights/LampChecks.h"
 
+#include "PhotonTransport/geometry/Similarity.h"
+#include "PhotonTransport/lights/Clearance.h"
 #include "PhotonTransport/scene/InvalidInput.h"
-
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +53,6 @@ double CheckedAmount(double amount, const char* what)
   return amount;
 }
 
-/// In scene units.
 double CheckedLength(double length, const Scene& scene, const char* what)
 {
   const double inScene = scene.GetPlacement().LengthToScene(CheckedAmount(length, what));
@@ -65,7 +64,6 @@ double CheckedLength(double length, const Scene& scene, const char* what)
   return inScene;
 }
 
-/// In scene coordinates.
 glm::dvec3 CheckedPosition(const glm::dvec3& position, const Scene& scene)
 {
   if (!IsFinite(position))
@@ -81,16 +79,20 @@ glm::dvec3 CheckedPosition(const glm::dvec3& position, const Scene& scene)
   return inScene;
 }
 
+glm::dvec3 ClearPosition(const glm::dvec3& position, const Scene& scene, const glm::dvec3& aim)
+{
+  const glm::dvec3 place = CheckedPosition(position, scene);
+  return place + WayClearOfFacets(scene, { place }, aim);
+}
+
 glm::dvec3 CheckedDirection(const glm::dvec3& direction, const char* what)
 {
-  const double largest =
-    std::max({ std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z) });
-  if (!IsFinite(direction) || !(largest > 0.0))
+  if (!IsFinite(direction) || direction == glm::dvec3(0.0))
   {
     RefuseLamp(
       what + (" " + Text(direction)) + " has no direction: it must be finite and not zero");
   }
-  return glm::normalize(direction / largest);
+  return Unit(direction);
 }
 
 } // namespace PhotonTransport

@@ -71,6 +71,24 @@ double ReadThirdFactor(TextReader& reader, IesEdition edition, bool isAbsolute)
   return isAbsolute ? 1.0 : value;
 }
 
+/// A number, or text on the line of the ballast factor, such as 58 W or n/a.
+double ReadInputWatts(TextReader& reader)
+{
+  constexpr const char* name = "input watts";
+  TextReader afterWords = reader;
+  TextReader afterLine = reader;
+  const std::string words = afterWords.WordsOfLine();
+  const std::string line = afterLine.RestOfLine();
+  double number = 0.0;
+  if (words.empty() || ParseNumber(words, number))
+  {
+    return reader.LenientNumber(name, 0.0, LargestNumber, 0.0);
+  }
+  const bool wholeLine = WattsOf(line) || words[0] < '0' || words[0] > '9';
+  reader = wholeLine ? afterLine : afterWords; // the angles may follow on the line
+  return LenientWatts(reader, name, wholeLine ? line : words);
+}
+
 } // namespace
 
 IesCounts ReadIesCounts(
@@ -95,7 +113,7 @@ IesCounts ReadIesCounts(
   counts.factor *= ReadThirdFactor(reader, edition, solid.ratedFlux == 0.0);
   if (reading.hasWatts)
   {
-    solid.inputPower = reader.LenientNumber("input watts", 0.0, LargestNumber, 0.0);
+    solid.inputPower = ReadInputWatts(reader);
   }
   else if (reader.LineIsRead())
   {

@@ -2,10 +2,65 @@
 #include "PhotonTransport/photometry/PhotometricNumbers.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace PhotonTransport
 {
+namespace
+{
+
+/// Takes a number with a decimal point or comma from the beginning.
+std::optional<double> TakeNumber(std::string& text)
+{
+  std::replace(text.begin(), text.end(), ',', '.');
+  double value = 0.0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || !std::isfinite(value))
+  {
+    return std::nullopt;
+  }
+  text = Trimmed(std::string_view(text).substr(static_cast<std::size_t>(stop - text.data())));
+  return value;
+}
+
+} // namespace
+
+std::optional<double> Number(std::string text)
+{
+  const std::optional<double> value = TakeNumber(text);
+  return text.empty() ? value : std::nullopt;
+}
+
+std::optional<double> WattsOf(std::string text)
+{
+  std::optional<double> watts = TakeNumber(text);
+  for (const std::string times : { "x", "X", "*", "\xC3\x97" })
+  {
+    if (watts && text.compare(0, times.size(), times) == 0)
+    {
+      text = Trimmed(std::string_view(text).substr(times.size()));
+      const std::optional<double> each = TakeNumber(text);
+      watts = each ? std::optional(*watts * *each) : std::nullopt;
+    }
+  }
+  const std::string unit = UpperCase(text);
+  const bool isKnown = unit.empty() || unit == "W" || unit == "WATT" || unit == "WATTS";
+  const bool isPower = watts && *watts >= 0.0 && *watts <= LargestNumber;
+  return isKnown && isPower ? watts : std::nullopt;
+}
+
+double LenientWatts(TextReader& reader, const char* name, const std::string& text)
+{
+  const std::optional<double> watts = text.empty() ? 0.0 : WattsOf(text);
+  if (!watts || !(text.empty() || Number(text)))
+  {
+    reader.Note(std::string(name) + " is '" + Shortened(text, 40) + "'; " +
+      (watts ? NumberText(*watts) + " W was taken" : "0 was taken for unknown") +
+      ", and the light does not depend on it");
+  }
+  return watts.value_or(0.0);
+}
 
 void RequireManageable(const TextReader& reader, std::size_t planes, std::size_t angles)
 {

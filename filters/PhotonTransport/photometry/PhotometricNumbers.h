@@ -6,6 +6,8 @@
 #include "PhotonTransport/photometry/TextReader.h"
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace PhotonTransport
@@ -27,6 +29,16 @@ std::vector<double> ReadAngles(TextReader& reader, const char* name, std::size_t
 /// PhotometricFileError. @param factor By which the file's numbers are multiplied.
 std::vector<double> ReadIntensities(
   TextReader& reader, const char* name, std::size_t count, double factor);
+
+/// The number that the text is, with a decimal point or comma; nothing for other text.
+std::optional<double> Number(std::string text);
+
+/// Watts as in 58, 58 W and 2x58 W; nothing for other text.
+std::optional<double> WattsOf(std::string text);
+
+/// The same for a lamp's power, on which the light does not depend: 0 for text that says none. A
+/// note says what was taken for text that is no number. @param name Of what the text is.
+double LenientWatts(TextReader& reader, const char* name, const std::string& text);
 
 /// Adds a note if the intensities of relative photometry make another flux than the file states, by
 /// more than 1 % of the lamps' flux and more than 5 % of the stated part. @param stated The

@@ -203,6 +203,29 @@ std::size_t TextReader::NumbersAhead() const
   return numbers;
 }
 
+std::string TextReader::RestOfLine()
+{
+  const std::size_t begin = this->FindTokenOnLine() ? this->TokenBegin : this->Line.size();
+  this->Position = this->Line.size();
+  return std::string(Trimmed(std::string_view(this->Line).substr(begin)));
+}
+
+std::string TextReader::WordsOfLine()
+{
+  if (!this->FindTokenOnLine())
+  {
+    return "";
+  }
+  const std::size_t begin = this->TokenBegin;
+  std::size_t end = this->TokenEnd;
+  for (double number; this->FindTokenOnLine() && !ParseNumber(this->Token(), number);)
+  {
+    end = this->TokenEnd;
+  }
+  this->Position = end;
+  return this->Line.substr(begin, end - begin);
+}
+
 bool TextReader::LineIsRead() const
 {
   return Trimmed(std::string_view(this->Line).substr(this->Position)).empty();
@@ -250,22 +273,11 @@ void TextReader::FailAtEnd(const NumberName& name) const
     "the file ends where its " + Text(name) + " should come; numbers are missing before or here");
 }
 
-bool TextReader::FindToken()
+bool TextReader::FindTokenOnLine()
 {
-  const auto skip = [this]
+  while (this->Position < this->Line.size() && IsSeparator(this->Line[this->Position]))
   {
-    while (this->Position < this->Line.size() && IsSeparator(this->Line[this->Position]))
-    {
-      ++this->Position;
-    }
-    return this->Position < this->Line.size();
-  };
-  while (!skip())
-  {
-    if (!this->FetchLine())
-    {
-      return false;
-    }
+    ++this->Position;
   }
   this->TokenBegin = this->Position;
   while (this->Position < this->Line.size() && !IsSeparator(this->Line[this->Position]))
@@ -273,6 +285,18 @@ bool TextReader::FindToken()
     ++this->Position;
   }
   this->TokenEnd = this->Position;
+  return this->TokenEnd > this->TokenBegin;
+}
+
+bool TextReader::FindToken()
+{
+  while (!this->FindTokenOnLine())
+  {
+    if (!this->FetchLine())
+    {
+      return false;
+    }
+  }
   return true;
 }
 

@@ -71,6 +71,10 @@ public:
   std::size_t NextCount(const NumberName& name, std::size_t smallest, std::size_t largest);
   /// How many numbers follow before the end of the file or the first text that is no number.
   std::size_t NumbersAhead() const;
+  /// Takes the words that follow on the line that was read last.
+  std::string RestOfLine();
+  /// Takes the first of them, which may be a number, and those after it up to a number.
+  std::string WordsOfLine();
   /// Whether only blanks follow on the line that was read last.
   bool LineIsRead() const;
 
@@ -89,6 +93,7 @@ public:
 private:
   bool FetchLine();
   bool FindToken();
+  bool FindTokenOnLine();
   std::string_view Token() const
   {
     return std::string_view(this->Line).substr(this->TokenBegin, this->TokenEnd - this->TokenBegin);
