@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/effects/Effects.h"
 
-#include "PhotonTransport/transport/TraceSettings.h"
-
 #include <algorithm>
 #include <sstream>
 
@@ -123,7 +121,7 @@ std::string EffectName(Scattering scattering)
   return WordsOf[static_cast<unsigned>(scattering)].effect;
 }
 
-Effects AnalyseEffects(const Scene& scene, const Lighting& lighting, const TraceSettings& settings)
+Effects AnalyseEffects(const Scene& scene, const Lighting& lighting, const EffectSettings& settings)
 {
   Effects effects;
   effects.registration =

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/effects/EffectSettings.h"
 #include "PhotonTransport/lights/Lamp.h"
-#include "PhotonTransport/materials/Scattering.h"
-#include "PhotonTransport/registration/Registration.h"
+#include "PhotonTransport/scene/Scene.h"
 
 #include <string>
 #include <vector>
 
 namespace PhotonTransport
 {
-
-struct TraceSettings;
 
 /// Which effects a scene calls for, and which of them are simulated. The walk that runs is compiled
 /// without most of the effects that no facet and no lamp calls for; see Walk.
@@ -33,6 +31,7 @@ struct Effects
 /// The name of an effect in Effects::reasons, such as "specular reflection".
 std::string EffectName(Scattering scattering);
 
-Effects AnalyseEffects(const Scene& scene, const Lighting& lighting, const TraceSettings& settings);
+Effects AnalyseEffects(
+  const Scene& scene, const Lighting& lighting, const EffectSettings& settings);
 
 } // namespace PhotonTransport

@@ -260,7 +260,7 @@ std::vector<FilteredMap> Filtrate(const SmoothingGraph& graph, const std::vector
   Validate(settings);
   std::for_each(parts.begin(), parts.end(), [](const NoisyMap& part) { RequireFinite(part); });
   const FiltrationMonitor monitor = ShareOfAll(parts, settings.method, caller);
-  const VertexOrder order(graph);
+  const VertexOrder order = graph.BreadthFirstOrder();
   const SmoothingGraph ordered(graph, order);
   const Values total = order.Ordered(SumOf(parts));
   const Values orderedHits = order.Ordered(hits);

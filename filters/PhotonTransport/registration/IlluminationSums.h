@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PhotonTransport/statistics/Arrivals.h"
-#include "PhotonTransport/statistics/PhotonBalance.h"
+#include "PhotonTransport/registration/Arrivals.h"
+#include "PhotonTransport/registration/PhotonBalance.h"
 
 #include <cstdint>
 #include <vector>

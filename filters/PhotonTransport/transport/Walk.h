@@ -3,11 +3,11 @@
 
 #include "PhotonTransport/lights/Emitter.h"
 #include "PhotonTransport/materials/Scattering.h"
+#include "PhotonTransport/registration/Arrivals.h"
+#include "PhotonTransport/registration/PhotonBalance.h"
 #include "PhotonTransport/registration/Registration.h"
 #include "PhotonTransport/sampling/PhotonSample.h"
 #include "PhotonTransport/scene/Scene.h"
-#include "PhotonTransport/statistics/Arrivals.h"
-#include "PhotonTransport/statistics/PhotonBalance.h"
 
 #include <glm/geometric.hpp>
 
