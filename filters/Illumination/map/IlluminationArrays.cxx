@@ -2,6 +2,7 @@
 #include "Illumination/map/IlluminationArrays.h"
 
 #include "Illumination/luminaires/LuminaireFields.h"
+#include "Illumination/map/EffectLines.h"
 #include "Illumination/map/MeshNotes.h"
 #include "Illumination/map/MissingLight.h"
 #include "Illumination/map/PointMapping.h"
@@ -16,10 +17,10 @@
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <functional>
 #include <iterator>
-#include <sstream>
+#include <numeric>
 
 namespace
 {
@@ -71,36 +72,15 @@ std::string NameOf(StopReason reason)
   }
 }
 
-double FluxSwitchedOff(const IlluminationRun& run)
+/// [Scattering] What those that are switched off would have carried on, lm.
+std::array<double, PhotonTransport::Scatterings> FluxSwitchedOff(const IlluminationRun& run)
 {
-  double flux = 0.0;
+  std::array<double, PhotonTransport::Scatterings> flux{};
   for (unsigned s = 0; s < PhotonTransport::Scatterings; ++s)
   {
-    flux += run.FluxSwitchedOff(static_cast<PhotonTransport::Scattering>(s));
+    flux[s] = run.FluxSwitchedOff(static_cast<PhotonTransport::Scattering>(s));
   }
   return flux;
-}
-
-/// Why effects are on or off, and what those that were switched off would have carried.
-std::vector<std::string> EffectLines(const IlluminationRun& run)
-{
-  std::vector<std::string> lines = run.EffectsInUse().reasons;
-  for (unsigned s = 0; s < PhotonTransport::Scatterings; ++s)
-  {
-    const auto scattering = static_cast<PhotonTransport::Scattering>(s);
-    const double flux = run.FluxSwitchedOff(scattering);
-    const std::string start = EffectName(scattering) + ":";
-    for (std::string& line : lines)
-    {
-      if (flux > 0.0 && line.rfind(start, 0) == 0)
-      {
-        std::ostringstream text;
-        text << line << ", " << flux << " lm";
-        line = text.str();
-      }
-    }
-  }
-  return lines;
 }
 
 void AddFront(vtkPointData* arrays, const PointMapping& mapping, const IlluminationMap& map)
@@ -191,6 +171,7 @@ void AddFieldData(vtkFieldData* output, const IlluminationRun& run, StopReason r
   using Value = std::vector<double>;
   using Text = std::vector<std::string>;
   const PhotonTransport::PhotonBalance balance = run.Balance();
+  const auto switchedOff = FluxSwitchedOff(run);
   AddArray(output, "PhotonsEmitted", Count{ balance.emitted });
   AddArray(output, "PhotonsAbsorbed", Count{ balance.absorbed });
   AddArray(output, "PhotonsEscaped", Count{ balance.escaped });
@@ -198,7 +179,8 @@ void AddFieldData(vtkFieldData* output, const IlluminationRun& run, StopReason r
   AddArray(output, "EmittedFlux", Value{ run.Flux() });
   AddArrivals(output, run);
   AddArray(output, "FluxCutByWeightBound", Value{ run.FluxCutByWeightBound() });
-  AddArray(output, "FluxSwitchedOff", Value{ FluxSwitchedOff(run) });
+  AddArray(output, "FluxSwitchedOff",
+    Value{ std::accumulate(switchedOff.begin(), switchedOff.end(), 0.0) });
   AddArray(output, "Seconds", Value{ run.Seconds() });
   AddArray(output, "PhotonsPerSecond", Value{ PerSecond(balance.emitted, run.Seconds()) });
   AddArray(output, "SegmentsPerSecond", Value{ PerSecond(balance.segments, run.Seconds()) });
@@ -208,7 +190,7 @@ void AddFieldData(vtkFieldData* output, const IlluminationRun& run, StopReason r
     AddArray(output, "PredictedSeconds", Value{ run.Rounds().back().predictedSeconds });
   }
   AddArray(output, "StoppedBy", Text{ NameOf(reason) });
-  AddArray(output, "Effects", EffectLines(run));
+  AddArray(output, "Effects", EffectLines(run.EffectsInUse(), switchedOff));
   AddArray(output, "Notes", notes);
   AddArray(output, "IlluminationMapsVersion", Text{ ILLUMINATION_VERSION });
 }

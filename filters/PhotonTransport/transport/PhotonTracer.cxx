@@ -256,7 +256,7 @@ bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint
     this->Settings.weightBound };
   const BlockTracer traceBlock =
     Choose(this->Settings.mostGeneralWalk ? this->Settings.registration : this->Answer.registration,
-      WalkFor(this->Answer, this->Settings), this->Answer.backSide);
+      WalkFor(this->Answer, this->Settings), this->Settings.registerBackSide);
   std::atomic<bool> goOn{ true };
   std::atomic<std::uint64_t> done{ 0 };
   const std::thread::id caller = std::this_thread::get_id();
