@@ -28,8 +28,7 @@ double Seconds(const Work& work)
 inline double TraceRate(PhotonTransport::PhotonTracer& tracer, std::uint64_t blocks)
 {
   PhotonTransport::IlluminationSums sums = tracer.EmptySums();
-  PhotonTransport::LightLayers layers = tracer.EmptyLayers();
-  const double seconds = Seconds([&] { tracer.Trace(0, 0, blocks, sums, {}, &layers); });
+  const double seconds = Seconds([&] { tracer.Trace(0, 0, blocks, sums); });
   return static_cast<double>(sums.balance.segments) / seconds * 1e-6;
 }
 

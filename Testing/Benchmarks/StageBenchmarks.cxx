@@ -105,8 +105,7 @@ void RegistrationOf(benchmark::State& state)
 {
   const Stage& stage = StageOf(state);
   IlluminationSums sums(stage.scene.Vertices().size(), false);
-  LightLayers none;
-  const Registrar<Kind, false> registrar(stage.scene, TraceSettings().weightBound, sums, none);
+  const Registrar<Kind, false> registrar(stage.scene, TraceSettings().weightBound, sums);
   std::size_t first = 0;
   for (auto _ : state)
   {
@@ -183,10 +182,9 @@ void Block(benchmark::State& state)
   const FacetRoulettes materials; // diffuse reflection only
   const WalkSettings walk{ stage.scene, materials, emitter, { usual.seed, 0, usual.sampling },
     usual.maximumPathLength, usual.scatterings };
-  LightLayers none;
   IlluminationSums sums(stage.scene.Vertices().size(), false);
   const Registrar<Registration::VertexNormalised, false> registrar(
-    stage.scene, usual.weightBound, sums, none);
+    stage.scene, usual.weightBound, sums);
   std::uint64_t first = 0;
   for (auto _ : state)
   {

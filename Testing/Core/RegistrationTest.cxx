@@ -214,8 +214,7 @@ TEST(Registrar, CutsAtTheBoundAndReportsTheRest)
   ASSERT_GT(m, 100.0f);
 
   IlluminationSums sums(scene.Vertices().size(), false);
-  LightLayers none;
-  const Registrar<Registration::FacetRatio, false> registrar(scene, 16.0f, sums, none);
+  const Registrar<Registration::FacetRatio, false> registrar(scene, 16.0f, sums);
   registrar(ray, { f, barycentric }, true, PhotonOrigin());
   EXPECT_NEAR(FromFixedPoint(sums.front[facet.vertices.x].direct), 16.0, 1e-4);
   EXPECT_NEAR(FromCoarseFixedPoint(sums.cutByWeightBound), m - 16.0, 1e-3 * m);

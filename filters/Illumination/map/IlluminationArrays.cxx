@@ -83,8 +83,9 @@ std::array<double, PhotonTransport::Scatterings> FluxSwitchedOff(const Illuminat
   return flux;
 }
 
-void AddFront(vtkPointData* arrays, const PointMapping& mapping, const IlluminationMap& map)
+void AddFront(const PointMapping& mapping, const IlluminationMap& map)
 {
+  vtkPointData* arrays = mapping.PointArrays();
   const std::vector<double> direct = mapping.Mean(map.direct);
   const std::vector<double> indirect = mapping.Mean(map.indirect);
   const std::vector<double> total = Sum(direct, indirect);
@@ -101,66 +102,76 @@ void AddFront(vtkPointData* arrays, const PointMapping& mapping, const Illuminat
   arrays->SetActiveScalars("Illuminance");
 }
 
-void AddBack(vtkPointData* arrays, const PointMapping& mapping, const IlluminationMap& map)
+void AddBack(const PointMapping& mapping, const IlluminationMap& map)
 {
-  AddArray(arrays, "IlluminanceBack", Sum(mapping.Mean(map.direct), mapping.Mean(map.indirect)));
-  AddArray(arrays, "StandardErrorBack", mapping.MeanError(map.standardError));
+  AddArray(mapping.PointArrays(), "IlluminanceBack",
+    Sum(mapping.Mean(map.direct), mapping.Mean(map.indirect)));
+  AddArray(mapping.PointArrays(), "StandardErrorBack", mapping.MeanError(map.standardError));
+}
+
+void AddSides(const std::vector<PointMapping>& mappings, const IlluminationRun& run, bool backSide)
+{
+  const IlluminationMap front = run.Front();
+  const IlluminationMap back = backSide ? run.Back() : IlluminationMap();
+  for (const PointMapping& mapping : mappings)
+  {
+    AddFront(mapping, front);
+    if (backSide)
+    {
+      AddBack(mapping, back);
+    }
+  }
+}
+
+template <typename Value>
+void AddMean(const std::vector<PointMapping>& mappings, const std::string& name,
+  const std::vector<Value>& values)
+{
+  for (const PointMapping& mapping : mappings)
+  {
+    AddArray(mapping.PointArrays(), name.c_str(), mapping.Mean(values));
+  }
+}
+
+void AddLayers(const std::vector<PointMapping>& mappings, const IlluminationRun& run,
+  const PhotonTransport::Lighting* lighting)
+{
+  if (run.EffectsInUse().colour)
+  {
+    AddMean(mappings, "IlluminanceRGB", run.FrontByColour());
+  }
+  for (std::size_t lamp = 0; lighting && lamp < lighting->luminaires.size(); ++lamp)
+  {
+    const std::string& name = lighting->luminaires[lamp].name;
+    AddMean(mappings, "Illuminance_" + (name.empty() ? "Lamp" : name), run.FrontOfLamp(lamp));
+  }
+}
+
+void AddGroupMeans(const std::vector<PointMapping>& mappings, const IlluminationRun& run)
+{
+  const PhotonTransport::GroupMeans groups = run.FrontByGroups();
+  if (!groups.direct.empty()) // empty if the run ended before each group had a photon
+  {
+    AddMean(mappings, "IlluminanceDirectGroups", groups.direct);
+    AddMean(mappings, "IlluminanceIndirectGroups", groups.indirect);
+  }
 }
 
 } // namespace
 
 void AddPointArrays(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
-  const IlluminationRun& run, bool backSide)
+  const IlluminationRun& run, const WantedArrays& wanted)
 {
-  const IlluminationMap front = run.Front();
-  const IlluminationMap back = backSide ? run.Back() : IlluminationMap();
+  std::vector<PointMapping> mappings;
   for (const SceneBlock& block : blocks.Blocks())
   {
-    const PointMapping mapping(block, scene.VertexAreas(), block.data->GetNumberOfPoints());
-    AddFront(block.data->GetPointData(), mapping, front);
-    if (backSide)
-    {
-      AddBack(block.data->GetPointData(), mapping, back);
-    }
+    mappings.emplace_back(block, scene.VertexAreas());
   }
-}
-
-void AddLayers(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
-  const PhotonTransport::IlluminationRun& run, const PhotonTransport::Lighting* lighting)
-{
-  const auto add = [&](const std::string& name, const auto& values)
+  AddSides(mappings, run, wanted.backSide);
+  AddLayers(mappings, run, wanted.ofLamps);
+  if (wanted.groupMeans)
   {
-    for (const SceneBlock& block : blocks.Blocks())
-    {
-      const PointMapping mapping(block, scene.VertexAreas(), block.data->GetNumberOfPoints());
-      AddArray(block.data->GetPointData(), name.c_str(), mapping.Mean(values));
-    }
-  };
-  if (run.EffectsInUse().colour)
-  {
-    add("IlluminanceRGB", run.FrontByColour());
-  }
-  for (std::size_t lamp = 0; lighting && lamp < lighting->luminaires.size(); ++lamp)
-  {
-    const std::string& name = lighting->luminaires[lamp].name;
-    add("Illuminance_" + (name.empty() ? "Lamp" : name), run.FrontOfLamp(lamp));
-  }
-}
-
-void AddGroupMeans(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
-  const PhotonTransport::IlluminationRun& run)
-{
-  const PhotonTransport::GroupMeans groups = run.FrontByGroups();
-  if (groups.direct.empty())
-  {
-    return; // ended before each group had a photon
-  }
-  for (const SceneBlock& block : blocks.Blocks())
-  {
-    const PointMapping mapping(block, scene.VertexAreas(), block.data->GetNumberOfPoints());
-    AddArray(block.data->GetPointData(), "IlluminanceDirectGroups", mapping.Mean(groups.direct));
-    AddArray(
-      block.data->GetPointData(), "IlluminanceIndirectGroups", mapping.Mean(groups.indirect));
+    AddGroupMeans(mappings, run);
   }
 }
 

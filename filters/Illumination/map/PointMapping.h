@@ -4,6 +4,8 @@
 
 #include "Illumination/surface/SceneBlock.h"
 
+#include "vtkPolyData.h"
+
 #include <array>
 #include <cmath>
 #include <vector>
@@ -14,14 +16,17 @@
 class PointMapping
 {
 public:
-  PointMapping(const SceneBlock& block, const std::vector<double>& vertexAreas, vtkIdType points)
+  PointMapping(const SceneBlock& block, const std::vector<double>& vertexAreas)
     : Block(block)
     , VertexAreas(vertexAreas)
-    , Areas(static_cast<std::size_t>(points), 0.0)
+    , Areas(static_cast<std::size_t>(block.data->GetNumberOfPoints()), 0.0)
   {
     this->ForEach([&](std::size_t vertex, std::size_t point)
       { this->Areas[point] += this->VertexAreas[vertex]; });
   }
+
+  /// The block's own.
+  vtkPointData* PointArrays() const { return this->Block.data->GetPointData(); }
 
   /// Calls f(vertex of the scene, point of the block).
   template <typename Function>

@@ -119,11 +119,10 @@ class Registrar
 {
 public:
   /// @param weightBound Largest factor by which compensation may raise a hit; >= 1.
-  Registrar(const Scene& scene, float weightBound, IlluminationSums& sums, LightLayers& layers)
+  Registrar(const Scene& scene, float weightBound, IlluminationSums& sums)
     : Surroundings(scene)
     , WeightBound(weightBound)
     , Sums(sums)
-    , Layers(layers)
   {
   }
 
@@ -134,7 +133,7 @@ public:
     if (front)
     {
       this->Register(
-        hit, -ray.direction, photon, this->Sums.front, this->Layers.perVertex > 0, corners);
+        hit, -ray.direction, photon, this->Sums.front, this->Sums.layers.perVertex > 0, corners);
     }
     else if constexpr (BackSide)
     {
@@ -193,16 +192,17 @@ private:
   void AddToLayers(
     const Facet& facet, const PhotonOrigin& photon, const FixedPoint (&weights)[3]) const
   {
+    LightLayers& layers = this->Sums.layers;
     for (int corner = 0; corner < 3; ++corner)
     {
-      FixedPoint* own = &this->Layers.sums[facet.vertices[corner] * this->Layers.perVertex];
-      if (this->Layers.HasColour())
+      FixedPoint* own = &layers.sums[facet.vertices[corner] * layers.perVertex];
+      if (layers.HasColour())
       {
         own[photon.channel] += weights[corner];
       }
-      if (this->Layers.HasLamps())
+      if (layers.HasLamps())
       {
-        own[this->Layers.firstLamp + photon.lamp] += weights[corner];
+        own[layers.firstLamp + photon.lamp] += weights[corner];
       }
     }
   }
@@ -210,7 +210,6 @@ private:
   const Scene& Surroundings;
   float WeightBound;
   IlluminationSums& Sums;
-  LightLayers& Layers;
 };
 
 } // namespace PhotonTransport

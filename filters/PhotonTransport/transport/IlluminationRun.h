@@ -24,8 +24,8 @@ struct StopRules
 };
 
 /// A run towards a relative error ends when it has traced so many photons and none of them has
-/// registered on any side. With 95 % confidence less than 3 in so many photons do, and no target can
-/// be met with so few. Without this rule the run would go on to StopRules::photons.
+/// registered on any side. With 95 % confidence less than 3 in so many photons do, and no target
+/// can be met with so few. Without this rule the run would go on to StopRules::photons.
 constexpr std::uint64_t MostPhotonsInTheDark = 1u << 20;
 
 /// Throws InvalidInput that names the rule.
@@ -83,9 +83,15 @@ public:
 
   /// [vertex] The light on the front by colour, lx. White light has three equal channels; the sum
   /// weighted by LuminousWeights is that of Front(). Empty where the scene calls for no colour.
-  std::vector<std::array<double, 3>> FrontByColour() const;
+  std::vector<std::array<double, 3>> FrontByColour() const
+  {
+    return this->Sums.FrontByColour(this->Flux(), this->Surroundings.VertexAreas());
+  }
   /// [vertex] The light on the front from one luminaire, lx; 0 unless TraceSettings::lampsApart.
-  std::vector<double> FrontOfLamp(std::size_t lamp) const;
+  std::vector<double> FrontOfLamp(std::size_t lamp) const
+  {
+    return this->Sums.FrontOfLamp(lamp, this->Flux(), this->Surroundings.VertexAreas());
+  }
 
   PhotonBalance Balance() const { return this->Sums.Balance(); }
   /// Where each luminaire's photons first arrived. [luminaire]
@@ -128,14 +134,12 @@ private:
   std::optional<StopReason> TraceRound(const StopRules& rules, const ProgressMonitor& monitor);
   bool TraceSlice(std::uint32_t number, std::uint64_t count, const StopRules& rules,
     const ProgressMonitor& monitor);
-  double LuxOfLayer(std::size_t vertex, std::size_t layer) const;
   void AddRow(const StopRules& rules);
   RunProgress ProgressTowards(const StopRules& rules, std::uint64_t blocksOfSlice);
 
   const Scene& Surroundings;
   PhotonTracer Tracer;
   ReplicateSums Sums;
-  LightLayers Layers;
   std::vector<Accuracy> Rows;
   double SecondsTraced = 0.0;
   double LargestFraction = 0.0;

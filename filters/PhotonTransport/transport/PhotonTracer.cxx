@@ -30,15 +30,14 @@ struct Job
 
 /// Flattened: with so many walks in one file, compilers stop inlining what is hot in each.
 template <Registration Kind, bool BackSide, Walk Way>
-[[gnu::flatten]] void TraceBlock(const Job& job, std::uint64_t first, std::uint64_t last,
-  IlluminationSums& sums, LightLayers& layers)
+[[gnu::flatten]] void TraceBlock(
+  const Job& job, std::uint64_t first, std::uint64_t last, IlluminationSums& sums)
 {
-  const Registrar<Kind, BackSide> registrar(job.walk.scene, job.weightBound, sums, layers);
+  const Registrar<Kind, BackSide> registrar(job.walk.scene, job.weightBound, sums);
   WalkPhotons<Way>(job.walk, first, last, registrar, sums.balance, sums.arrivals.data());
 }
 
-using BlockTracer = void (*)(
-  const Job&, std::uint64_t, std::uint64_t, IlluminationSums&, LightLayers&);
+using BlockTracer = void (*)(const Job&, std::uint64_t, std::uint64_t, IlluminationSums&);
 
 template <Registration Kind, bool BackSide>
 BlockTracer Choose(Walk way)
@@ -163,7 +162,6 @@ struct PhotonTracer::Workers
     : limit(MoreThanCores(threads))
     , arena(threads)
     , sums(static_cast<std::size_t>(threads))
-    , layers(static_cast<std::size_t>(threads))
   {
   }
 
@@ -180,7 +178,6 @@ struct PhotonTracer::Workers
   std::unique_ptr<tbb::global_control> limit;
   tbb::task_arena arena;
   std::vector<IlluminationSums> sums;
-  std::vector<LightLayers> layers;
 };
 
 PhotonTracer::PhotonTracer(
@@ -197,18 +194,16 @@ PhotonTracer::PhotonTracer(
   {
     sums = this->EmptySums();
   }
-  for (LightLayers& layers : this->Pool->layers)
-  {
-    layers = this->EmptyLayers();
-  }
 }
 
 PhotonTracer::~PhotonTracer() = default;
 
 IlluminationSums PhotonTracer::EmptySums() const
 {
-  return { this->Surroundings.Vertices().size(), this->Settings.registerBackSide,
-    this->Source.Lamps() };
+  const std::size_t vertices = this->Surroundings.Vertices().size();
+  const std::size_t lamps = this->Source.Lamps();
+  return { vertices, this->Settings.registerBackSide, lamps,
+    { vertices, this->Answer.colour, this->Settings.lampsApart ? lamps : 0 } };
 }
 
 std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp) const
@@ -241,12 +236,6 @@ std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp)
   return std::nullopt;
 }
 
-LightLayers PhotonTracer::EmptyLayers() const
-{
-  return { this->Surroundings.Vertices().size(), this->Answer.colour,
-    this->Settings.lampsApart ? this->Source.Lamps() : 0 };
-}
-
 bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
   IlluminationSums& sums, const Monitor& monitor, LightLayers* layers)
 {
@@ -267,8 +256,7 @@ bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint
     IlluminationSums& own = this->Pool->sums[thread];
     for (std::uint64_t block = blocks.begin(); block < blocks.end() && goOn; ++block)
     {
-      traceBlock(
-        job, block * PhotonBlock, (block + 1) * PhotonBlock, own, this->Pool->layers[thread]);
+      traceBlock(job, block * PhotonBlock, (block + 1) * PhotonBlock, own);
       ++done;
       if (monitor && std::this_thread::get_id() == caller && !monitor(done))
       {
@@ -279,12 +267,7 @@ bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint
   this->Pool->arena.execute([&] { ParallelFor(first, first + count, work); });
   for (IlluminationSums& own : this->Pool->sums)
   {
-    MoveInto(sums, own);
-  }
-  for (LightLayers& own : this->Pool->layers)
-  {
-    LightLayers unwanted = layers ? LightLayers() : own;
-    MoveInto(layers ? *layers : unwanted, own);
+    MoveInto(sums, layers ? *layers : sums.layers, own);
   }
   return goOn;
 }
