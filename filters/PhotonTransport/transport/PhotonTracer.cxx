@@ -3,7 +3,7 @@
 
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/scene/ParallelFor.h"
-#include "PhotonTransport/transport/Walk.h"
+#include "PhotonTransport/transport/CompiledWalks.h"
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
@@ -22,92 +22,11 @@ namespace PhotonTransport
 namespace
 {
 
-struct Job
-{
-  WalkSettings walk;
-  float weightBound;
-};
-
-/// Flattened: with so many walks in one file, compilers stop inlining what is hot in each.
-template <Registration Kind, bool BackSide, Walk Way>
-[[gnu::flatten]] void TraceBlock(
-  const Job& job, std::uint64_t first, std::uint64_t last, IlluminationSums& sums)
-{
-  const Registrar<Kind, BackSide> registrar(job.walk.scene, job.weightBound, sums);
-  WalkPhotons<Way>(job.walk, first, last, registrar, sums.balance, sums.arrivals.data());
-}
-
-using BlockTracer = void (*)(const Job&, std::uint64_t, std::uint64_t, IlluminationSums&);
-
-template <Registration Kind, bool BackSide>
-BlockTracer Choose(Walk way)
-{
-  switch (way)
-  {
-    case Walk::Ends:
-      return TraceBlock<Kind, BackSide, Walk::Ends>;
-    case Walk::Diffuse:
-      return TraceBlock<Kind, BackSide, Walk::Diffuse>;
-    case Walk::Coloured:
-      return TraceBlock<Kind, BackSide, Walk::Coloured>;
-    case Walk::Reflecting:
-      return TraceBlock<Kind, BackSide, Walk::Reflecting>;
-    case Walk::Transmitting:
-      return TraceBlock<Kind, BackSide, Walk::Transmitting>;
-    case Walk::General:
-      break;
-  }
-  return TraceBlock<Kind, BackSide, Walk::General>;
-}
-
-template <Registration Kind>
-BlockTracer Choose(Walk way, bool backSide)
-{
-  return backSide ? Choose<Kind, true>(way) : Choose<Kind, false>(way);
-}
-
-/// The walk compiled for just these effects.
-BlockTracer Choose(Registration registration, Walk way, bool backSide)
-{
-  switch (registration)
-  {
-    case Registration::Flat:
-      return Choose<Registration::Flat>(way, backSide);
-    case Registration::FacetRatio:
-      return Choose<Registration::FacetRatio>(way, backSide);
-    case Registration::VertexNormalised:
-      break;
-  }
-  return Choose<Registration::VertexNormalised>(way, backSide);
-}
-
-/// The walk that a scene needs. Effects that are switched off count, too: the walk must still find
-/// the photons that would have taken that way, and end them.
-Walk WalkFor(const Effects& effects, const TraceSettings& settings)
-{
-  if (settings.mostGeneralWalk)
-  {
-    return Walk::General;
-  }
-  const bool reflects = (effects.present & Reflections) != 0;
-  const bool transmits = (effects.present & Transmissions) != 0;
-  if (reflects || transmits)
-  {
-    return reflects && transmits ? Walk::General
-                                 : (reflects ? Walk::Reflecting : Walk::Transmitting);
-  }
-  if (effects.present == 0)
-  {
-    return Walk::Ends;
-  }
-  return effects.colouredFacets ? Walk::Coloured : Walk::Diffuse;
-}
-
 /// A roulette for each material, or, where there are no materials, for each reflectance.
-FacetRoulettes MakeRoulettes(const Scene& scene, Walk way, bool colour)
+FacetRoulettes MakeRoulettes(const Scene& scene, Walk walk, bool colour)
 {
   FacetRoulettes made;
-  if (way == Walk::Ends || way == Walk::Diffuse)
+  if (walk == Walk::Ends || walk == Walk::Diffuse)
   {
     return made;
   }
@@ -182,11 +101,12 @@ struct PhotonTracer::Workers
 
 PhotonTracer::PhotonTracer(
   const Scene& scene, const Lighting& lighting, const TraceSettings& settings)
-  : Surroundings(scene)
+  : LitScene(scene)
   , Settings(Validated(settings))
-  , Answer(AnalyseEffects(scene, lighting, settings))
-  , Source(lighting, scene, this->Answer.colour)
-  , Materials(MakeRoulettes(scene, WalkFor(this->Answer, settings), this->Answer.colouredFacets))
+  , EffectsFound(AnalyseEffects(scene, lighting, settings))
+  , Source(lighting, scene, this->EffectsFound.colour)
+  , OwnWalk(settings.mostGeneralWalk ? Walk::General : WalkFor(this->EffectsFound))
+  , Materials(MakeRoulettes(scene, this->OwnWalk, this->EffectsFound.colouredFacets))
   , Pool(MakeProcessPtr<Workers>(ThreadCount(settings)))
 {
   RequireIlluminanceInRange(scene, this->Flux());
@@ -200,10 +120,10 @@ PhotonTracer::~PhotonTracer() = default;
 
 IlluminationSums PhotonTracer::EmptySums() const
 {
-  const std::size_t vertices = this->Surroundings.Vertices().size();
+  const std::size_t vertices = this->LitScene.Vertices().size();
   const std::size_t lamps = this->Source.Lamps();
   return { vertices, this->Settings.registerBackSide, lamps,
-    { vertices, this->Answer.colour, this->Settings.lampsApart ? lamps : 0 } };
+    { vertices, this->EffectsFound.colour, this->Settings.lampsApart ? lamps : 0 } };
 }
 
 std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp) const
@@ -218,14 +138,14 @@ std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp)
       continue;
     }
     Hit hit;
-    this->Surroundings.Intersect(&emission.ray, &hit, 1);
+    this->LitScene.Intersect(&emission.ray, &hit, 1);
     if (!hit)
     {
       continue;
     }
-    const Facet& facet = this->Surroundings.Facets()[hit.facet];
+    const Facet& facet = this->LitScene.Facets()[hit.facet];
     const bool front = glm::dot(emission.ray.direction, facet.normal) < 0.0f ||
-      this->Surroundings.PreferFront(emission.ray, hit);
+      this->LitScene.PreferFront(emission.ray, hit);
     const bool translucent = !this->Materials.ofFacet.empty() &&
       this->Materials.roulettes[this->Materials.ofFacet[hit.facet]].translucent;
     if (!front && !translucent)
@@ -239,13 +159,12 @@ std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp)
 bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
   IlluminationSums& sums, const Monitor& monitor, LightLayers* layers)
 {
-  const Job job{ { this->Surroundings, this->Materials, this->Source,
-                   { this->Settings.seed, replicate, this->Settings.sampling },
-                   this->Settings.maximumPathLength, this->Answer.simulated },
-    this->Settings.weightBound };
-  const BlockTracer traceBlock =
-    Choose(this->Settings.mostGeneralWalk ? this->Settings.registration : this->Answer.registration,
-      WalkFor(this->Answer, this->Settings), this->Settings.registerBackSide);
+  const WalkSettings walk{ this->LitScene, this->Materials, this->Source,
+    { this->Settings.seed, replicate, this->Settings.sampling }, this->Settings.maximumPathLength,
+    this->EffectsFound.simulated };
+  const BlockTracer traceBlock = CompiledWalk(this->OwnWalk,
+    this->Settings.mostGeneralWalk ? this->Settings.registration : this->EffectsFound.registration,
+    this->Settings.registerBackSide);
   std::atomic<bool> goOn{ true };
   std::atomic<std::uint64_t> done{ 0 };
   const std::thread::id caller = std::this_thread::get_id();
@@ -256,7 +175,8 @@ bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint
     IlluminationSums& own = this->Pool->sums[thread];
     for (std::uint64_t block = blocks.begin(); block < blocks.end() && goOn; ++block)
     {
-      traceBlock(job, block * PhotonBlock, (block + 1) * PhotonBlock, own);
+      traceBlock(
+        walk, this->Settings.weightBound, block * PhotonBlock, (block + 1) * PhotonBlock, own);
       ++done;
       if (monitor && std::this_thread::get_id() == caller && !monitor(done))
       {

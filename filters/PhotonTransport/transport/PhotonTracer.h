@@ -47,7 +47,7 @@ public:
   /// for them apart.
   IlluminationSums EmptySums() const;
   double Flux() const { return this->Source.Flux(); }
-  const Effects& EffectsInUse() const { return this->Answer; }
+  const Effects& EffectsInUse() const { return this->EffectsFound; }
 
   /// The corners of one facet on whose back light of a lamp first arrives, as an example for
   /// messages. Nothing if none of the first 65536 photons meets such a facet first.
@@ -55,10 +55,11 @@ public:
 
 private:
   struct Workers;
-  const Scene& Surroundings;
+  const Scene& LitScene;
   TraceSettings Settings;
-  Effects Answer;
+  Effects EffectsFound;
   Emitter Source;
+  Walk OwnWalk;
   FacetRoulettes Materials;
   ProcessPtr<Workers> Pool;
 };
