@@ -33,7 +33,7 @@ class Search
 {
 public:
   explicit Search(const Scene& scene)
-    : Searched(scene)
+    : SearchedScene(scene)
   {
   }
 
@@ -60,22 +60,22 @@ private:
 
   bool LetsLightThrough(std::uint32_t facet) const
   {
-    const Scene& scene = this->Searched;
+    const Scene& scene = this->SearchedScene;
     return (ScatteringsOf(scene.Materials()[scene.MaterialOfFacet()[facet]]) & Transmissions) != 0;
   }
 
   bool IsSolid(std::uint32_t facet) const
   {
-    const Scene& scene = this->Searched;
+    const Scene& scene = this->SearchedScene;
     return scene.Materials()[scene.MaterialOfFacet()[facet]].solid;
   }
 
   void Add(std::uint32_t f, bool front)
   {
-    const Facet& facet = this->Searched.Facets()[f];
+    const Facet& facet = this->SearchedScene.Facets()[f];
     const glm::vec3 middle(1.0f / 3.0f);
-    const glm::vec3 start = this->Searched.SafeOrigin(facet, middle, front);
-    const float offset = OriginOffset * this->Searched.Reach(start);
+    const glm::vec3 start = this->SearchedScene.SafeOrigin(facet, middle, front);
+    const float offset = OriginOffset * this->SearchedScene.Reach(start);
     if (facet.marginPerOffset * offset > EdgeClearance / Narrow)
     {
       this->NoteIfUnresolved(f, front, offset);
@@ -89,8 +89,8 @@ private:
 
   void NoteIfUnresolved(std::uint32_t f, bool front, float offset)
   {
-    const glm::uvec3& ids = this->Searched.Facets()[f].vertices;
-    const auto corner = [&](int c) { return this->Searched.Vertices()[ids[c]].position; };
+    const glm::uvec3& ids = this->SearchedScene.Facets()[f].vertices;
+    const auto corner = [&](int c) { return this->SearchedScene.Vertices()[ids[c]].position; };
     const float longest = std::max({ glm::length(corner(1) - corner(0)),
       glm::length(corner(2) - corner(1)), glm::length(corner(0) - corner(2)) });
     if (front && longest < Narrow * offset)
@@ -102,7 +102,7 @@ private:
   void Look()
   {
     std::array<Hit, Together> hits;
-    this->Searched.Intersect(this->Rays.data(), hits.data(), this->Rays.size());
+    this->SearchedScene.Intersect(this->Rays.data(), hits.data(), this->Rays.size());
     for (std::size_t i = 0; i < this->Rays.size(); ++i)
     {
       if (hits[i] && hits[i].facet != this->Probes[i].facet)
@@ -116,7 +116,7 @@ private:
 
   void Judge(const Probe& probe, const Ray& ray, const Hit& hit)
   {
-    const Facet& other = this->Searched.Facets()[hit.facet];
+    const Facet& other = this->SearchedScene.Facets()[hit.facet];
     const bool inFront = probe.front && glm::dot(ray.direction, other.normal) > 0.0f;
     const bool lit = inFront || this->LetsLightThrough(hit.facet) || !probe.front;
     const double gap = double{ probe.offset } - this->WayTo(ray, hit);
@@ -125,7 +125,7 @@ private:
     {
       return;
     }
-    const double unit = 1.0 / this->Searched.GetPlacement().scale;
+    const double unit = 1.0 / this->SearchedScene.GetPlacement().scale;
     if (this->Found.number++ == 0 || gap * unit < this->Found.gap)
     {
       this->Found.facet = probe.facet;
@@ -137,9 +137,9 @@ private:
 
   double WayTo(const Ray& ray, const Hit& hit) const
   {
-    const glm::uvec3& ids = this->Searched.Facets()[hit.facet].vertices;
+    const glm::uvec3& ids = this->SearchedScene.Facets()[hit.facet].vertices;
     const auto corner = [&](unsigned id)
-    { return glm::dvec3(this->Searched.Vertices()[id].position); };
+    { return glm::dvec3(this->SearchedScene.Vertices()[id].position); };
     const glm::dvec3 a = corner(ids.x);
     const glm::dvec3 end = a + double{ hit.barycentric.y } * (corner(ids.y) - a) +
       double{ hit.barycentric.z } * (corner(ids.z) - a);
@@ -149,7 +149,10 @@ private:
   bool ShareAPoint(std::uint32_t one, std::uint32_t other) const
   {
     const auto corner = [&](std::uint32_t facet, int c)
-    { return this->Searched.Vertices()[this->Searched.Facets()[facet].vertices[c]].position; };
+    {
+      return this->SearchedScene.Vertices()[this->SearchedScene.Facets()[facet].vertices[c]]
+        .position;
+    };
     for (int i = 0; i < 9; ++i)
     {
       if (corner(one, i / 3) == corner(other, i % 3))
@@ -160,7 +163,7 @@ private:
     return false;
   }
 
-  const Scene& Searched;
+  const Scene& SearchedScene;
   std::vector<Probe> Probes;
   std::vector<Ray> Rays;
   ThinGaps Found;

@@ -78,7 +78,7 @@ void Validate(const StopRules& rules)
 
 IlluminationRun::IlluminationRun(
   const Scene& scene, const Lighting& lighting, const TraceSettings& settings)
-  : Surroundings(scene)
+  : LitScene(scene)
   , Tracer(scene, lighting, settings)
 {
   IlluminationSums empty = this->Tracer.EmptySums();
@@ -141,7 +141,7 @@ std::uint64_t IlluminationRun::NextRound(const StopRules& rules) const
   const std::uint64_t replicates = this->Sums.replicates.size();
   const std::uint64_t limit = this->BlocksFor(rules.photons);
   const std::uint64_t first =
-    std::max<std::uint64_t>(FirstRound, this->Surroundings.Vertices().size() / PhotonBlock);
+    std::max<std::uint64_t>(FirstRound, this->LitScene.Vertices().size() / PhotonBlock);
   const auto traced = static_cast<double>(this->BlocksTraced() / replicates);
   const double growth = rules.relativeError > 0.0 ? GrowthTowardsTarget : Growth;
   double next = std::max(static_cast<double>(first), growth * traced);
@@ -165,7 +165,7 @@ std::optional<StopReason> IlluminationRun::TraceRound(
 {
   const std::uint64_t end = this->NextRound(rules);
   const std::uint64_t slice = std::max<std::uint64_t>(
-    LeastSlice, SlicePhotonsPerVertex * this->Surroundings.Vertices().size() / PhotonBlock);
+    LeastSlice, SlicePhotonsPerVertex * this->LitScene.Vertices().size() / PhotonBlock);
   for (std::uint32_t r = 0; r < this->Sums.replicates.size(); ++r)
   {
     while (this->BlocksOf(r) < end)
@@ -190,9 +190,9 @@ bool IlluminationRun::TraceSlice(
   const Stopwatch stopwatch(this->SecondsTraced);
   const Monitor report = [&](std::uint64_t done)
   { return monitor(this->ProgressTowards(rules, done)); };
-  this->Whole = this->Tracer.Trace(number, this->BlocksOf(number), count,
+  this->WithoutGaps = this->Tracer.Trace(number, this->BlocksOf(number), count,
     this->Sums.replicates[number], monitor ? report : Monitor(), &this->Sums.layers);
-  return this->Whole;
+  return this->WithoutGaps;
 }
 
 void IlluminationRun::AddRow(const StopRules& rules)
@@ -200,7 +200,7 @@ void IlluminationRun::AddRow(const StopRules& rules)
   Accuracy row;
   {
     const Stopwatch stopwatch(this->SecondsTraced);
-    MeasureErrors(row, this->Front(), this->Surroundings.VertexAreas());
+    MeasureErrors(row, this->Front(), this->LitScene.VertexAreas());
   }
   const PhotonBalance balance = this->Balance();
   row.photons = balance.emitted;

@@ -66,7 +66,7 @@ public:
 
   /// False once an abort has left gaps in the sequences: the map is valid, but going on would not
   /// give the bits that a run in one go gives.
-  bool CanGoOn() const { return this->Whole; }
+  bool CanGoOn() const { return this->WithoutGaps; }
   /// And whether a run to so many photons would not have ended before.
   bool CanGoOnTo(std::uint64_t photons) const;
 
@@ -78,19 +78,19 @@ public:
   /// four have photons, or if there are fewer than four replicates.
   GroupMeans FrontByGroups() const
   {
-    return this->Sums.FrontByGroups(this->Flux(), this->Surroundings.VertexAreas());
+    return this->Sums.FrontByGroups(this->Flux(), this->LitScene.VertexAreas());
   }
 
   /// [vertex] The light on the front by colour, lx. White light has three equal channels; the sum
   /// weighted by LuminousWeights is that of Front(). Empty where the scene calls for no colour.
   std::vector<std::array<double, 3>> FrontByColour() const
   {
-    return this->Sums.FrontByColour(this->Flux(), this->Surroundings.VertexAreas());
+    return this->Sums.FrontByColour(this->Flux(), this->LitScene.VertexAreas());
   }
   /// [vertex] The light on the front from one luminaire, lx; 0 unless TraceSettings::lampsApart.
   std::vector<double> FrontOfLamp(std::size_t lamp) const
   {
-    return this->Sums.FrontOfLamp(lamp, this->Flux(), this->Surroundings.VertexAreas());
+    return this->Sums.FrontOfLamp(lamp, this->Flux(), this->LitScene.VertexAreas());
   }
 
   PhotonBalance Balance() const { return this->Sums.Balance(); }
@@ -126,7 +126,7 @@ private:
   }
   IlluminationMap MapOf(ReplicateSums::Side side) const
   {
-    return this->Sums.Map(side, this->Flux(), this->Surroundings.VertexAreas());
+    return this->Sums.Map(side, this->Flux(), this->LitScene.VertexAreas());
   }
   std::uint64_t BlocksTraced() const { return this->Balance().emitted / PhotonBlock; }
   std::optional<StopReason> RuleReached(const StopRules& rules) const;
@@ -137,13 +137,13 @@ private:
   void AddRow(const StopRules& rules);
   RunProgress ProgressTowards(const StopRules& rules, std::uint64_t blocksOfSlice);
 
-  const Scene& Surroundings;
+  const Scene& LitScene;
   PhotonTracer Tracer;
   ReplicateSums Sums;
   std::vector<Accuracy> Rows;
   double SecondsTraced = 0.0;
   double LargestFraction = 0.0;
-  bool Whole = true;
+  bool WithoutGaps = true;
 };
 
 } // namespace PhotonTransport
