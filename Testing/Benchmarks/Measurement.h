@@ -124,7 +124,7 @@ struct KeepHit
 };
 
 /// One photon's segments, from emission to end.
-template <PhotonTransport::Walk Kind>
+template <PhotonTransport::Walk WalkKind>
 void RecordPhoton(const PhotonTransport::WalkSettings& walk,
   const PhotonTransport::PhotonSample& sample, std::vector<Segment>& segments)
 {
@@ -140,7 +140,7 @@ void RecordPhoton(const PhotonTransport::WalkSettings& walk,
   {
     segment.ray = next;
     walk.scene.Intersect(&segment.ray, &segment.hit, 1);
-    goesOn = PhotonTransport::Arrive<Kind>(
+    goesOn = PhotonTransport::Arrive<WalkKind>(
       flight, next, segment.hit, walk, KeepHit{ segment }, balance, arrivals.data());
     segments.push_back(segment);
   }

@@ -100,12 +100,13 @@ void Intersection(benchmark::State& state)
 BENCHMARK(Intersection)->Arg(10'000)->Arg(100'000)->Arg(1'000'000);
 
 /// Hits 64 at a time, memory fetched ahead as in the walk.
-template <Registration Kind>
+template <Registration RegistrationKind>
 void RegistrationOf(benchmark::State& state)
 {
   const Stage& stage = StageOf(state);
   IlluminationSums sums(stage.scene.Vertices().size(), false);
-  const Registrar<Kind, false> registrar(stage.scene, TraceSettings().weightBound, sums);
+  const Registrar<RegistrationKind, false> registrar(
+    stage.scene, TraceSettings().weightBound, sums);
   std::size_t first = 0;
   for (auto _ : state)
   {

@@ -6,8 +6,9 @@
 
 #include "vtkPolyData.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 /// Carries values from the scene's vertices to a block's points. A point whose normals were split
@@ -46,31 +47,22 @@ public:
     }
   }
 
-  std::vector<double> Mean(const std::vector<double>& values) const
+  /// @param values By vertex: numbers, or arrays of numbers.
+  template <typename Value>
+  std::vector<Value> Mean(const std::vector<Value>& values) const
   {
-    std::vector<double> mean(this->Areas.size(), 0.0);
-    this->ForEach(
-      [&](std::size_t vertex, std::size_t point)
+    std::vector<Value> mean(this->Areas.size(), Value{});
+    this->ForEachShare(
+      [&](std::size_t vertex, std::size_t point, double share)
       {
-        if (this->Areas[point] > 0.0)
+        if constexpr (std::is_same_v<Value, double>)
         {
-          mean[point] += values[vertex] * (this->VertexAreas[vertex] / this->Areas[point]);
+          mean[point] += values[vertex] * share;
         }
-      });
-    return mean;
-  }
-
-  template <std::size_t Size>
-  std::vector<std::array<double, Size>> Mean(
-    const std::vector<std::array<double, Size>>& values) const
-  {
-    std::vector<std::array<double, Size>> mean(this->Areas.size(), std::array<double, Size>{});
-    this->ForEach(
-      [&](std::size_t vertex, std::size_t point)
-      {
-        for (std::size_t g = 0; g < mean[point].size() && this->Areas[point] > 0.0; ++g)
+        else
         {
-          mean[point][g] += values[vertex][g] * (this->VertexAreas[vertex] / this->Areas[point]);
+          std::transform(values[vertex].begin(), values[vertex].end(), mean[point].begin(),
+            mean[point].begin(), [&](double value, double sum) { return sum + value * share; });
         }
       });
     return mean;
@@ -80,19 +72,26 @@ public:
   std::vector<double> MeanError(const std::vector<double>& errors) const
   {
     std::vector<double> error(this->Areas.size(), 0.0);
+    this->ForEachShare([&](std::size_t vertex, std::size_t point, double share)
+      { error[point] = std::hypot(error[point], errors[vertex] * share); });
+    return error;
+  }
+
+private:
+  /// Calls f(vertex, point, its share in the point's area) where there is an area.
+  template <typename Function>
+  void ForEachShare(const Function& f) const
+  {
     this->ForEach(
       [&](std::size_t vertex, std::size_t point)
       {
         if (this->Areas[point] > 0.0)
         {
-          error[point] = std::hypot(
-            error[point], errors[vertex] * (this->VertexAreas[vertex] / this->Areas[point]));
+          f(vertex, point, this->VertexAreas[vertex] / this->Areas[point]);
         }
       });
-    return error;
   }
 
-private:
   const SceneBlock& Block;
   const std::vector<double>& VertexAreas;
   std::vector<double> Areas;

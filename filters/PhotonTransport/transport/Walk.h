@@ -31,17 +31,8 @@ constexpr unsigned Walks = 4;
 constexpr ScatteringSet CompiledIn(Walk walk)
 {
   constexpr ScatteringSet Diffuse = SetOf(Scattering::DiffuseReflection);
-  switch (walk)
-  {
-    case Walk::Ends:
-      return 0;
-    case Walk::Reflecting:
-      return Diffuse | Reflections;
-    case Walk::General:
-      return AllScatterings;
-    default:
-      return Diffuse;
-  }
+  constexpr ScatteringSet Sets[Walks] = { 0, Diffuse, Diffuse | Reflections, AllScatterings };
+  return Sets[static_cast<unsigned>(walk)];
 }
 
 /// Materials in the form that the walk needs, by facet. Empty for Walk::Ends and Walk::Diffuse,
