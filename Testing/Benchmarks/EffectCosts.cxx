@@ -179,8 +179,7 @@ void Count(const EffectScene& scene, std::uint64_t blocks, bool general)
 {
   Prepared own(scene, 1, general);
   IlluminationSums sums = own.tracer->EmptySums();
-  LightLayers layers = own.tracer->EmptyLayers();
-  own.tracer->Trace(0, 0, blocks, sums, {}, &layers);
+  own.tracer->Trace(0, 0, blocks, sums);
   std::printf("%llu segments\n", static_cast<unsigned long long>(sums.balance.segments));
 }
 

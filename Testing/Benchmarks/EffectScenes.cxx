@@ -60,6 +60,7 @@ using Choice = std::function<std::uint32_t(std::size_t, const glm::dvec3&)>;
 Surface WithMaterials(Surface surface, std::vector<Material> materials, const Choice& choose)
 {
   surface.materials = std::move(materials);
+  surface.materialOfFacet.clear();
   for (std::size_t f = 0; f < surface.facets.size(); ++f)
   {
     surface.materialOfFacet.push_back(choose(f, surface.points[surface.facets[f].x]));

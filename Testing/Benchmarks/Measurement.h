@@ -28,8 +28,7 @@ double Seconds(const Work& work)
 inline double TraceRate(PhotonTransport::PhotonTracer& tracer, std::uint64_t blocks)
 {
   PhotonTransport::IlluminationSums sums = tracer.EmptySums();
-  PhotonTransport::LightLayers layers = tracer.EmptyLayers();
-  const double seconds = Seconds([&] { tracer.Trace(0, 0, blocks, sums, {}, &layers); });
+  const double seconds = Seconds([&] { tracer.Trace(0, 0, blocks, sums); });
   return static_cast<double>(sums.balance.segments) / seconds * 1e-6;
 }
 
@@ -125,7 +124,7 @@ struct KeepHit
 };
 
 /// One photon's segments, from emission to end.
-template <PhotonTransport::Walk Kind>
+template <PhotonTransport::Walk WalkKind>
 void RecordPhoton(const PhotonTransport::WalkSettings& walk,
   const PhotonTransport::PhotonSample& sample, std::vector<Segment>& segments)
 {
@@ -141,7 +140,7 @@ void RecordPhoton(const PhotonTransport::WalkSettings& walk,
   {
     segment.ray = next;
     walk.scene.Intersect(&segment.ray, &segment.hit, 1);
-    goesOn = PhotonTransport::Arrive<Kind>(
+    goesOn = PhotonTransport::Arrive<WalkKind>(
       flight, next, segment.hit, walk, KeepHit{ segment }, balance, arrivals.data());
     segments.push_back(segment);
   }

@@ -100,13 +100,13 @@ void Intersection(benchmark::State& state)
 BENCHMARK(Intersection)->Arg(10'000)->Arg(100'000)->Arg(1'000'000);
 
 /// Hits 64 at a time, memory fetched ahead as in the walk.
-template <Registration Kind>
+template <Registration RegistrationKind>
 void RegistrationOf(benchmark::State& state)
 {
   const Stage& stage = StageOf(state);
   IlluminationSums sums(stage.scene.Vertices().size(), false);
-  LightLayers none;
-  const Registrar<Kind, false> registrar(stage.scene, TraceSettings().weightBound, sums, none);
+  const Registrar<RegistrationKind, false> registrar(
+    stage.scene, TraceSettings().weightBound, sums);
   std::size_t first = 0;
   for (auto _ : state)
   {
@@ -183,10 +183,9 @@ void Block(benchmark::State& state)
   const FacetRoulettes materials; // diffuse reflection only
   const WalkSettings walk{ stage.scene, materials, emitter, { usual.seed, 0, usual.sampling },
     usual.maximumPathLength, usual.scatterings };
-  LightLayers none;
   IlluminationSums sums(stage.scene.Vertices().size(), false);
   const Registrar<Registration::VertexNormalised, false> registrar(
-    stage.scene, usual.weightBound, sums, none);
+    stage.scene, usual.weightBound, sums);
   std::uint64_t first = 0;
   for (auto _ : state)
   {

@@ -118,9 +118,8 @@ struct Traced
     std::uint64_t blocks = 40)
     : tracer(scene, lighting, settings)
     , sums(tracer.EmptySums())
-    , layers(tracer.EmptyLayers())
   {
-    this->tracer.Trace(1, 0, blocks, this->sums, {}, &this->layers);
+    this->tracer.Trace(1, 0, blocks, this->sums);
     const PhotonBalance& b = this->sums.balance;
     EXPECT_EQ(b.emitted, blocks * PhotonBlock);
     EXPECT_EQ(b.emitted, b.absorbed + b.escaped + b.cutOff);
@@ -131,7 +130,7 @@ struct Traced
     EXPECT_TRUE(SameSums(this->sums.front, other.sums.front));
     EXPECT_TRUE(SameSums(this->sums.back, other.sums.back));
     EXPECT_EQ(this->sums.cutByWeightBound, other.sums.cutByWeightBound);
-    EXPECT_EQ(this->layers.sums, other.layers.sums);
+    EXPECT_EQ(this->sums.layers.sums, other.sums.layers.sums);
     const PhotonBalance& a = this->sums.balance;
     const PhotonBalance& b = other.sums.balance;
     EXPECT_EQ(a.absorbed, b.absorbed);
@@ -143,7 +142,6 @@ struct Traced
 
   PhotonTracer tracer;
   IlluminationSums sums;
-  LightLayers layers;
 };
 
 struct Choice
@@ -245,7 +243,7 @@ TEST(Mono, GivesColoursTheirLuminousReflectance)
   const Scene luminous(With(room, { Diffuse(grey), Material() }));
   const Traced traced(coloured, lamps, settings);
   EXPECT_FALSE(traced.tracer.EffectsInUse().colour);
-  EXPECT_FALSE(traced.layers.HasColour());
+  EXPECT_FALSE(traced.sums.layers.HasColour());
   traced.ExpectSame(Traced(luminous, lamps, settings));
 }
 

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a scene calls for, in words.
+// What a scene calls for, and the words for it.
+#include "Illumination/map/EffectLines.h"
+
 #include "PhotonTransport/effects/Effects.h"
-#include "PhotonTransport/transport/TraceSettings.h"
 
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <vector>
 
 using namespace PhotonTransport;
 using Shapes::Facing;
@@ -26,7 +29,7 @@ Surface Cube(const Material& first)
   return cube;
 }
 
-Effects Analysed(const Surface& surface, const TraceSettings& settings = {},
+Effects Analysed(const Surface& surface, const EffectSettings& settings = {},
   const Lighting& lighting = PointLamp{})
 {
   return AnalyseEffects(Scene(surface), lighting, settings);
@@ -34,7 +37,8 @@ Effects Analysed(const Surface& surface, const TraceSettings& settings = {},
 
 void ExpectReason(const Effects& effects, const std::string& reason)
 {
-  EXPECT_EQ(std::count(effects.reasons.begin(), effects.reasons.end(), reason), 1) << reason;
+  const std::vector<std::string> lines = EffectLines(effects, {});
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), reason), 1) << reason;
 }
 
 } // namespace
@@ -44,9 +48,10 @@ TEST(Reasons, NothingIsOnWhereNothingCallsForIt)
   const Effects effects = Analysed(Cube({}));
   EXPECT_EQ(effects.present, 0u);
   EXPECT_EQ(effects.registration, Registration::Flat);
-  EXPECT_FALSE(effects.colour || effects.colouredFacets || effects.backSide);
-  EXPECT_EQ(effects.reasons.size(), 1 + Scatterings + 1 + 4 + 1);
-  for (const std::string& reason : effects.reasons)
+  EXPECT_FALSE(effects.colour || effects.colouredFacets);
+  const std::vector<std::string> lines = EffectLines(effects, {});
+  EXPECT_EQ(lines.size(), 1 + Scatterings + 1 + 4 + 1);
+  for (const std::string& reason : lines)
   {
     EXPECT_NE(reason.find(": off, "), std::string::npos) << reason;
   }
@@ -77,12 +82,12 @@ TEST(Reasons, EachWayOfScatteringIsFoundAndCanBeSwitchedOff)
   {
     const std::string name = words[s][0];
     const std::string share = std::string("1 of 12 triangles have ") + words[s][1];
-    EXPECT_EQ(EffectName(static_cast<Scattering>(s)), name);
     const Effects on = Analysed(Cube(materials[s]));
     EXPECT_EQ(on.present, 1u << s);
     EXPECT_EQ(on.simulated, 1u << s);
+    EXPECT_EQ(on.counts.scatteringFacets[s], 1u);
     ExpectReason(on, name + ": on, " + share);
-    TraceSettings without;
+    EffectSettings without;
     without.scatterings = AllScatterings & ~(1u << s);
     const Effects off = Analysed(Cube(materials[s]), without);
     EXPECT_EQ(off.present, 1u << s);
@@ -90,6 +95,10 @@ TEST(Reasons, EachWayOfScatteringIsFoundAndCanBeSwitchedOff)
     ExpectReason(off,
       name + ": off, switched off though " + share +
         "; the photons it would have carried on are counted as cut off");
+    std::array<double, Scatterings> lumens{};
+    lumens[s] = 12.5;
+    const std::string line = EffectLines(off, lumens)[1 + s];
+    EXPECT_NE(line.find("are counted as cut off, 12.5 lm"), std::string::npos) << line;
   }
 }
 
@@ -99,7 +108,7 @@ TEST(Reasons, CompensationIsForTiltedNormals)
   EXPECT_EQ(Analysed(sphere).registration, Registration::VertexNormalised);
   ExpectReason(Analysed(sphere),
     "compensation: on, 42 of 42 points have a normal that differs from a facet's around them");
-  TraceSettings flat;
+  EffectSettings flat;
   flat.registration = Registration::Flat;
   EXPECT_EQ(Analysed(sphere, flat).registration, Registration::Flat);
   ExpectReason(Analysed(sphere, flat), "compensation: off, flat registration was chosen");
@@ -126,7 +135,7 @@ TEST(Reasons, ColourIsForFacetsOrLampsThatHaveOne)
   shining.exitanceColour[1] = { 1.0f, 2.0f, 3.0f };
   EXPECT_TRUE(Analysed(shining).colour);
 
-  TraceSettings mono;
+  EffectSettings mono;
   mono.colour = false;
   const Effects off = Analysed(Cube(red), mono, lighting);
   EXPECT_FALSE(off.colour || off.colouredFacets);
@@ -139,14 +148,14 @@ TEST(Reasons, LampsAndBackSide)
   lighting.luminaires.push_back({ DiskLamp{}, "", Colour(1.0f) });
   lighting.luminaires.push_back({ LineLamp{}, "", Colour(1.0f) });
   lighting.luminaires.push_back({ PhotometricLamp{}, "", Colour(1.0f) });
-  TraceSettings settings;
+  EffectSettings settings;
   settings.registerBackSide = true;
   const Effects effects = Analysed(Cube({}), settings, lighting);
-  EXPECT_TRUE(effects.backSide);
   ExpectReason(effects, "back side: on, its registration was asked for");
+  const std::vector<std::string> lines = EffectLines(effects, {});
   const auto starts = [&](const std::string& words)
   {
-    return std::count_if(effects.reasons.begin(), effects.reasons.end(),
+    return std::count_if(lines.begin(), lines.end(),
       [&](const std::string& reason) { return reason.rfind(words, 0) == 0; });
   };
   EXPECT_EQ(starts("area lamps: on, 2 of 4 lamps"), 1);

@@ -132,7 +132,7 @@ namespace
 /// Mean of min(m, bound)^2 over hits of light from all sides at a point of a coarse sphere's facet,
 /// m the compensating factor: the integral of cos/pi over the hemisphere, by the midpoint rule in
 /// azimuth and in the logarithm of the cosine.
-template <Registration Kind>
+template <Registration RegistrationKind>
 double SecondMoment(const Scene& scene, const glm::vec3& barycentric, float bound)
 {
   const Facet& facet = scene.Facets()[0];
@@ -148,7 +148,8 @@ double SecondMoment(const Scene& scene, const glm::vec3& barycentric, float boun
     const double sine = std::sqrt(1.0 - cosine * cosine);
     const glm::vec3 towards =
       frame.ToWorld(glm::dvec3(sine * std::cos(azimuth), sine * std::sin(azimuth), cosine));
-    const double m = std::min(bound, Total(HitWeights<Kind>(scene, facet, barycentric, towards)));
+    const double m =
+      std::min(bound, Total(HitWeights<RegistrationKind>(scene, facet, barycentric, towards)));
     sum += m * m * 2.0 * cosine * cosine * Decades / (Rings * Around);
   }
   return sum;
@@ -214,8 +215,7 @@ TEST(Registrar, CutsAtTheBoundAndReportsTheRest)
   ASSERT_GT(m, 100.0f);
 
   IlluminationSums sums(scene.Vertices().size(), false);
-  LightLayers none;
-  const Registrar<Registration::FacetRatio, false> registrar(scene, 16.0f, sums, none);
+  const Registrar<Registration::FacetRatio, false> registrar(scene, 16.0f, sums);
   registrar(ray, { f, barycentric }, true, PhotonOrigin());
   EXPECT_NEAR(FromFixedPoint(sums.front[facet.vertices.x].direct), 16.0, 1e-4);
   EXPECT_NEAR(FromCoarseFixedPoint(sums.cutByWeightBound), m - 16.0, 1e-3 * m);

@@ -253,16 +253,3 @@ TEST(ParallelFor, ComputesAsItsCallerDoes)
     });
   EXPECT_EQ(std::count(halves.begin(), halves.end(), 0.0), 0);
 }
-
-TEST(Effects, SayWhatIsOnAndWhy)
-{
-  const Scene scene(Room(0.5f));
-  TraceSettings settings;
-  settings.registration = Registration::Flat;
-  const Effects effects = AnalyseEffects(scene, RoomLamp, settings);
-  ASSERT_GT(effects.reasons.size(), 3u);
-  EXPECT_EQ(effects.reasons[0], "compensation: off, flat registration was chosen");
-  EXPECT_EQ(effects.reasons[1].rfind("interreflection: on, ", 0), 0u);
-  EXPECT_EQ(effects.reasons[2], "specular reflection: off, no triangle has specular reflectance");
-  EXPECT_EQ(effects.reasons.back(), "back side: off, its registration was not asked for");
-}

@@ -184,8 +184,9 @@ TEST_F(FilterDegenerate, AnywhereInARandomRoomChangeNoBit)
   }
 }
 
-// In a text file with few digits a point of an edge does not lie on it, and a triangle of three such
-// points has an area. It is the first cell, has no normals, and decides nothing for its neighbours.
+// In a text file with few digits a point of an edge does not lie on it, and a triangle of three
+// such points has an area. It is the first cell, has no normals, and decides nothing for its
+// neighbours.
 TEST_F(FilterDegenerate, SliversOfRoundedPointsTurnNothing)
 {
   double mostOnBacks = 0.0;

@@ -216,12 +216,8 @@ void vtkIlluminationMap::Execute(
           "Tracing photons, " + std::to_string(std::lround(progress.secondsLeft)) + " s left");
       });
 
-    AddPointArrays(blocks, this->Kept->Scene, run, this->RegisterBackSide);
-    AddLayers(blocks, this->Kept->Scene, run, this->LampContributions ? &lighting : nullptr);
-    if (this->GroupMeans)
-    {
-      AddGroupMeans(blocks, this->Kept->Scene, run);
-    }
+    AddPointArrays(blocks, this->Kept->Scene, run,
+      { this->RegisterBackSide, this->GroupMeans, this->LampContributions ? &lighting : nullptr });
     const MissingLight missing = FindMissingLight(
       { blocks, lighting, run, this->RegisterBackSide, this->MetresPerUnit }, reason);
     std::vector<std::string> notes = NotesOn(blocks, this->Kept->Scene);

@@ -2,6 +2,7 @@
 #include "Illumination/map/IlluminationArrays.h"
 
 #include "Illumination/luminaires/LuminaireFields.h"
+#include "Illumination/map/EffectLines.h"
 #include "Illumination/map/MeshNotes.h"
 #include "Illumination/map/MissingLight.h"
 #include "Illumination/map/PointMapping.h"
@@ -16,10 +17,10 @@
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <functional>
 #include <iterator>
-#include <sstream>
+#include <numeric>
 
 namespace
 {
@@ -71,40 +72,20 @@ std::string NameOf(StopReason reason)
   }
 }
 
-double FluxSwitchedOff(const IlluminationRun& run)
+/// [Scattering] What those that are switched off would have carried on, lm.
+std::array<double, PhotonTransport::Scatterings> FluxSwitchedOff(const IlluminationRun& run)
 {
-  double flux = 0.0;
+  std::array<double, PhotonTransport::Scatterings> flux{};
   for (unsigned s = 0; s < PhotonTransport::Scatterings; ++s)
   {
-    flux += run.FluxSwitchedOff(static_cast<PhotonTransport::Scattering>(s));
+    flux[s] = run.FluxSwitchedOff(static_cast<PhotonTransport::Scattering>(s));
   }
   return flux;
 }
 
-/// Why effects are on or off, and what those that were switched off would have carried.
-std::vector<std::string> EffectLines(const IlluminationRun& run)
+void AddFront(const PointMapping& mapping, const IlluminationMap& map)
 {
-  std::vector<std::string> lines = run.EffectsInUse().reasons;
-  for (unsigned s = 0; s < PhotonTransport::Scatterings; ++s)
-  {
-    const auto scattering = static_cast<PhotonTransport::Scattering>(s);
-    const double flux = run.FluxSwitchedOff(scattering);
-    const std::string start = EffectName(scattering) + ":";
-    for (std::string& line : lines)
-    {
-      if (flux > 0.0 && line.rfind(start, 0) == 0)
-      {
-        std::ostringstream text;
-        text << line << ", " << flux << " lm";
-        line = text.str();
-      }
-    }
-  }
-  return lines;
-}
-
-void AddFront(vtkPointData* arrays, const PointMapping& mapping, const IlluminationMap& map)
-{
+  vtkPointData* arrays = mapping.PointArrays();
   const std::vector<double> direct = mapping.Mean(map.direct);
   const std::vector<double> indirect = mapping.Mean(map.indirect);
   const std::vector<double> total = Sum(direct, indirect);
@@ -121,66 +102,76 @@ void AddFront(vtkPointData* arrays, const PointMapping& mapping, const Illuminat
   arrays->SetActiveScalars("Illuminance");
 }
 
-void AddBack(vtkPointData* arrays, const PointMapping& mapping, const IlluminationMap& map)
+void AddBack(const PointMapping& mapping, const IlluminationMap& map)
 {
-  AddArray(arrays, "IlluminanceBack", Sum(mapping.Mean(map.direct), mapping.Mean(map.indirect)));
-  AddArray(arrays, "StandardErrorBack", mapping.MeanError(map.standardError));
+  AddArray(mapping.PointArrays(), "IlluminanceBack",
+    Sum(mapping.Mean(map.direct), mapping.Mean(map.indirect)));
+  AddArray(mapping.PointArrays(), "StandardErrorBack", mapping.MeanError(map.standardError));
+}
+
+void AddSides(const std::vector<PointMapping>& mappings, const IlluminationRun& run, bool backSide)
+{
+  const IlluminationMap front = run.Front();
+  const IlluminationMap back = backSide ? run.Back() : IlluminationMap();
+  for (const PointMapping& mapping : mappings)
+  {
+    AddFront(mapping, front);
+    if (backSide)
+    {
+      AddBack(mapping, back);
+    }
+  }
+}
+
+template <typename Value>
+void AddMean(const std::vector<PointMapping>& mappings, const std::string& name,
+  const std::vector<Value>& values)
+{
+  for (const PointMapping& mapping : mappings)
+  {
+    AddArray(mapping.PointArrays(), name.c_str(), mapping.Mean(values));
+  }
+}
+
+void AddLayers(const std::vector<PointMapping>& mappings, const IlluminationRun& run,
+  const PhotonTransport::Lighting* lighting)
+{
+  if (run.EffectsInUse().colour)
+  {
+    AddMean(mappings, "IlluminanceRGB", run.FrontByColour());
+  }
+  for (std::size_t lamp = 0; lighting && lamp < lighting->luminaires.size(); ++lamp)
+  {
+    const std::string& name = lighting->luminaires[lamp].name;
+    AddMean(mappings, "Illuminance_" + (name.empty() ? "Lamp" : name), run.FrontOfLamp(lamp));
+  }
+}
+
+void AddGroupMeans(const std::vector<PointMapping>& mappings, const IlluminationRun& run)
+{
+  const PhotonTransport::GroupMeans groups = run.FrontByGroups();
+  if (!groups.direct.empty()) // empty if the run ended before each group had a photon
+  {
+    AddMean(mappings, "IlluminanceDirectGroups", groups.direct);
+    AddMean(mappings, "IlluminanceIndirectGroups", groups.indirect);
+  }
 }
 
 } // namespace
 
 void AddPointArrays(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
-  const IlluminationRun& run, bool backSide)
+  const IlluminationRun& run, const WantedArrays& wanted)
 {
-  const IlluminationMap front = run.Front();
-  const IlluminationMap back = backSide ? run.Back() : IlluminationMap();
+  std::vector<PointMapping> mappings;
   for (const SceneBlock& block : blocks.Blocks())
   {
-    const PointMapping mapping(block, scene.VertexAreas(), block.data->GetNumberOfPoints());
-    AddFront(block.data->GetPointData(), mapping, front);
-    if (backSide)
-    {
-      AddBack(block.data->GetPointData(), mapping, back);
-    }
+    mappings.emplace_back(block, scene.VertexAreas());
   }
-}
-
-void AddLayers(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
-  const PhotonTransport::IlluminationRun& run, const PhotonTransport::Lighting* lighting)
-{
-  const auto add = [&](const std::string& name, const auto& values)
+  AddSides(mappings, run, wanted.backSide);
+  AddLayers(mappings, run, wanted.ofLamps);
+  if (wanted.groupMeans)
   {
-    for (const SceneBlock& block : blocks.Blocks())
-    {
-      const PointMapping mapping(block, scene.VertexAreas(), block.data->GetNumberOfPoints());
-      AddArray(block.data->GetPointData(), name.c_str(), mapping.Mean(values));
-    }
-  };
-  if (run.EffectsInUse().colour)
-  {
-    add("IlluminanceRGB", run.FrontByColour());
-  }
-  for (std::size_t lamp = 0; lighting && lamp < lighting->luminaires.size(); ++lamp)
-  {
-    const std::string& name = lighting->luminaires[lamp].name;
-    add("Illuminance_" + (name.empty() ? "Lamp" : name), run.FrontOfLamp(lamp));
-  }
-}
-
-void AddGroupMeans(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
-  const PhotonTransport::IlluminationRun& run)
-{
-  const PhotonTransport::GroupMeans groups = run.FrontByGroups();
-  if (groups.direct.empty())
-  {
-    return; // ended before each group had a photon
-  }
-  for (const SceneBlock& block : blocks.Blocks())
-  {
-    const PointMapping mapping(block, scene.VertexAreas(), block.data->GetNumberOfPoints());
-    AddArray(block.data->GetPointData(), "IlluminanceDirectGroups", mapping.Mean(groups.direct));
-    AddArray(
-      block.data->GetPointData(), "IlluminanceIndirectGroups", mapping.Mean(groups.indirect));
+    AddGroupMeans(mappings, run);
   }
 }
 
@@ -191,6 +182,7 @@ void AddFieldData(vtkFieldData* output, const IlluminationRun& run, StopReason r
   using Value = std::vector<double>;
   using Text = std::vector<std::string>;
   const PhotonTransport::PhotonBalance balance = run.Balance();
+  const auto switchedOff = FluxSwitchedOff(run);
   AddArray(output, "PhotonsEmitted", Count{ balance.emitted });
   AddArray(output, "PhotonsAbsorbed", Count{ balance.absorbed });
   AddArray(output, "PhotonsEscaped", Count{ balance.escaped });
@@ -198,7 +190,8 @@ void AddFieldData(vtkFieldData* output, const IlluminationRun& run, StopReason r
   AddArray(output, "EmittedFlux", Value{ run.Flux() });
   AddArrivals(output, run);
   AddArray(output, "FluxCutByWeightBound", Value{ run.FluxCutByWeightBound() });
-  AddArray(output, "FluxSwitchedOff", Value{ FluxSwitchedOff(run) });
+  AddArray(output, "FluxSwitchedOff",
+    Value{ std::accumulate(switchedOff.begin(), switchedOff.end(), 0.0) });
   AddArray(output, "Seconds", Value{ run.Seconds() });
   AddArray(output, "PhotonsPerSecond", Value{ PerSecond(balance.emitted, run.Seconds()) });
   AddArray(output, "SegmentsPerSecond", Value{ PerSecond(balance.segments, run.Seconds()) });
@@ -208,7 +201,7 @@ void AddFieldData(vtkFieldData* output, const IlluminationRun& run, StopReason r
     AddArray(output, "PredictedSeconds", Value{ run.Rounds().back().predictedSeconds });
   }
   AddArray(output, "StoppedBy", Text{ NameOf(reason) });
-  AddArray(output, "Effects", EffectLines(run));
+  AddArray(output, "Effects", EffectLines(run.EffectsInUse(), switchedOff));
   AddArray(output, "Notes", notes);
   AddArray(output, "IlluminationMapsVersion", Text{ ILLUMINATION_VERSION });
 }

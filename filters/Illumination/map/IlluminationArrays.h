@@ -11,21 +11,22 @@ class SceneBlocks;
 class vtkFieldData;
 class vtkTable;
 
+/// Point arrays beyond those that every map has.
+struct WantedArrays
+{
+  bool backSide; ///< IlluminanceBack and StandardErrorBack.
+  /// IlluminanceDirectGroups and IlluminanceIndirectGroups, by which the map is best smoothed.
+  /// There are none if the run ended before each group had a photon.
+  bool groupMeans;
+  /// Illuminance_<name> for each of these luminaires; null if they are not kept apart.
+  const PhotonTransport::Lighting* ofLamps;
+};
+
 /// Adds Illuminance, IlluminanceDirect, IlluminanceIndirect, StandardError, RelativeError and
-/// PhotonHits to each block's point data. @param backSide Also IlluminanceBack and
-/// StandardErrorBack.
+/// PhotonHits to each block's point data, IlluminanceRGB if the run has colours, and what is
+/// wanted.
 void AddPointArrays(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
-  const PhotonTransport::IlluminationRun& run, bool backSide);
-
-/// Adds IlluminanceRGB, if the run has colours, and Illuminance_<name> for each luminaire.
-/// @param lighting The luminaires; null if they are not kept apart.
-void AddLayers(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
-  const PhotonTransport::IlluminationRun& run, const PhotonTransport::Lighting* lighting);
-
-/// Adds IlluminanceDirectGroups and IlluminanceIndirectGroups, by which the map is best smoothed;
-/// nothing if the run ended before each group had a photon.
-void AddGroupMeans(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
-  const PhotonTransport::IlluminationRun& run);
+  const PhotonTransport::IlluminationRun& run, const WantedArrays& wanted);
 
 /// Adds what concerns the run as a whole: photon balance, time, effects, notes.
 void AddFieldData(vtkFieldData* output, const PhotonTransport::IlluminationRun& run,

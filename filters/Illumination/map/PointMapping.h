@@ -4,8 +4,11 @@
 
 #include "Illumination/surface/SceneBlock.h"
 
-#include <array>
+#include "vtkPolyData.h"
+
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 /// Carries values from the scene's vertices to a block's points. A point whose normals were split
@@ -14,14 +17,17 @@
 class PointMapping
 {
 public:
-  PointMapping(const SceneBlock& block, const std::vector<double>& vertexAreas, vtkIdType points)
+  PointMapping(const SceneBlock& block, const std::vector<double>& vertexAreas)
     : Block(block)
     , VertexAreas(vertexAreas)
-    , Areas(static_cast<std::size_t>(points), 0.0)
+    , Areas(static_cast<std::size_t>(block.data->GetNumberOfPoints()), 0.0)
   {
     this->ForEach([&](std::size_t vertex, std::size_t point)
       { this->Areas[point] += this->VertexAreas[vertex]; });
   }
+
+  /// The block's own.
+  vtkPointData* PointArrays() const { return this->Block.data->GetPointData(); }
 
   /// Calls f(vertex of the scene, point of the block).
   template <typename Function>
@@ -41,31 +47,22 @@ public:
     }
   }
 
-  std::vector<double> Mean(const std::vector<double>& values) const
+  /// @param values By vertex: numbers, or arrays of numbers.
+  template <typename Value>
+  std::vector<Value> Mean(const std::vector<Value>& values) const
   {
-    std::vector<double> mean(this->Areas.size(), 0.0);
-    this->ForEach(
-      [&](std::size_t vertex, std::size_t point)
+    std::vector<Value> mean(this->Areas.size(), Value{});
+    this->ForEachShare(
+      [&](std::size_t vertex, std::size_t point, double share)
       {
-        if (this->Areas[point] > 0.0)
+        if constexpr (std::is_same_v<Value, double>)
         {
-          mean[point] += values[vertex] * (this->VertexAreas[vertex] / this->Areas[point]);
+          mean[point] += values[vertex] * share;
         }
-      });
-    return mean;
-  }
-
-  template <std::size_t Size>
-  std::vector<std::array<double, Size>> Mean(
-    const std::vector<std::array<double, Size>>& values) const
-  {
-    std::vector<std::array<double, Size>> mean(this->Areas.size(), std::array<double, Size>{});
-    this->ForEach(
-      [&](std::size_t vertex, std::size_t point)
-      {
-        for (std::size_t g = 0; g < mean[point].size() && this->Areas[point] > 0.0; ++g)
+        else
         {
-          mean[point][g] += values[vertex][g] * (this->VertexAreas[vertex] / this->Areas[point]);
+          std::transform(values[vertex].begin(), values[vertex].end(), mean[point].begin(),
+            mean[point].begin(), [&](double value, double sum) { return sum + value * share; });
         }
       });
     return mean;
@@ -75,19 +72,26 @@ public:
   std::vector<double> MeanError(const std::vector<double>& errors) const
   {
     std::vector<double> error(this->Areas.size(), 0.0);
+    this->ForEachShare([&](std::size_t vertex, std::size_t point, double share)
+      { error[point] = std::hypot(error[point], errors[vertex] * share); });
+    return error;
+  }
+
+private:
+  /// Calls f(vertex, point, its share in the point's area) where there is an area.
+  template <typename Function>
+  void ForEachShare(const Function& f) const
+  {
     this->ForEach(
       [&](std::size_t vertex, std::size_t point)
       {
         if (this->Areas[point] > 0.0)
         {
-          error[point] = std::hypot(
-            error[point], errors[vertex] * (this->VertexAreas[vertex] / this->Areas[point]));
+          f(vertex, point, this->VertexAreas[vertex] / this->Areas[point]);
         }
       });
-    return error;
   }
 
-private:
   const SceneBlock& Block;
   const std::vector<double>& VertexAreas;
   std::vector<double> Areas;

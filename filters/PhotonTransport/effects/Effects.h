@@ -1,17 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/effects/EffectSettings.h"
 #include "PhotonTransport/lights/Lamp.h"
-#include "PhotonTransport/materials/Scattering.h"
-#include "PhotonTransport/registration/Registration.h"
+#include "PhotonTransport/scene/Scene.h"
 
-#include <string>
-#include <vector>
+#include <array>
+#include <cstddef>
 
 namespace PhotonTransport
 {
 
-struct TraceSettings;
+/// How much of a scene calls for each effect.
+struct EffectCounts
+{
+  std::size_t vertices = 0;
+  std::size_t tiltedVertices = 0; ///< Their normal differs from that of a facet around them.
+  std::size_t facets = 0;
+  std::array<std::size_t, Scatterings> scatteringFacets{}; ///< [Scattering]
+  std::size_t colouredFacets = 0; ///< They treat the channels unequally, or shine in a colour.
+  std::size_t lamps = 0;
+  std::size_t colouredLamps = 0;
+  std::size_t areaLamps = 0; ///< They shine from an area or a line.
+  std::size_t photometricLamps = 0;
+  std::size_t skies = 0;
+};
 
 /// Which effects a scene calls for, and which of them are simulated. The walk that runs is compiled
 /// without most of the effects that no facet and no lamp calls for; see Walk.
@@ -23,16 +36,12 @@ struct Effects
   ScatteringSet present = 0;   ///< Ways in which facets scatter light.
   ScatteringSet simulated = 0; ///< Those of them that are switched on.
   bool colour = false;         ///< Photons carry a channel each.
-  bool colouredFacets = false; ///< Facets treat the channels unequally, or shine in a colour.
-  bool backSide = false;       ///< Hits on the backs of facets are registered.
-  /// The answer in words, one line for each effect, such as "interreflection: on, 10 of 12
-  /// triangles have diffuse reflectance".
-  std::vector<std::string> reasons;
+  bool colouredFacets = false; ///< Facets treat the channels unequally, and this is simulated.
+  EffectSettings settings;     ///< What was asked for.
+  EffectCounts counts;
 };
 
-/// The name of an effect in Effects::reasons, such as "specular reflection".
-std::string EffectName(Scattering scattering);
-
-Effects AnalyseEffects(const Scene& scene, const Lighting& lighting, const TraceSettings& settings);
+Effects AnalyseEffects(
+  const Scene& scene, const Lighting& lighting, const EffectSettings& settings);
 
 } // namespace PhotonTransport

@@ -205,7 +205,7 @@ Selection Unchanged(const GroupColumns& map)
 }
 
 /// What the parts of a map share.
-struct Whole
+struct WholeMap
 {
   const SmoothingGraph& graph;
   const Values& total;
@@ -213,7 +213,7 @@ struct Whole
   const std::vector<float>& importance;
 };
 
-FilteredMap FiltratePart(const NoisyMap& part, const Whole& whole,
+FilteredMap FiltratePart(const NoisyMap& part, const WholeMap& whole,
   const FiltrationSettings& settings, const FiltrationMonitor& monitor)
 {
   const std::vector<std::uint8_t> dark =
@@ -259,7 +259,7 @@ std::vector<FilteredMap> Filtrate(const SmoothingGraph& graph, const std::vector
   Validate(settings);
   std::for_each(parts.begin(), parts.end(), [](const NoisyMap& part) { RequireFinite(part); });
   const FiltrationMonitor monitor = ShareOfAll(parts, settings.method, caller);
-  const VertexOrder order(graph);
+  const VertexOrder order = graph.BreadthFirstOrder();
   const SmoothingGraph ordered(graph, order);
   const Values total = order.Ordered(SumOf(parts));
   const Values orderedHits = order.Ordered(hits);

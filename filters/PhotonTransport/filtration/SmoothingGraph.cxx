@@ -3,12 +3,12 @@
 
 #include "PhotonTransport/filtration/Parallel.h"
 #include "PhotonTransport/filtration/RingEdges.h"
-#include "PhotonTransport/filtration/VertexOrder.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace PhotonTransport
 {
@@ -94,6 +94,34 @@ SmoothingGraph::SmoothingGraph(const SmoothingGraph& graph, const VertexOrder& o
         *next++ = { order.Places()[edge.neighbour], edge.conductance };
       }
     });
+}
+
+VertexOrder SmoothingGraph::BreadthFirstOrder() const
+{
+  std::vector<std::uint32_t> vertices;
+  vertices.reserve(this->Vertices());
+  std::vector<std::uint8_t> seen(this->Vertices(), 0);
+  const auto append = [&](std::uint32_t vertex)
+  {
+    if (seen[vertex] == 0)
+    {
+      seen[vertex] = 1;
+      vertices.push_back(vertex);
+    }
+  };
+  std::size_t next = 0; // place whose neighbours come next
+  for (std::uint32_t seed = 0; seed < this->Vertices(); ++seed)
+  {
+    append(seed);
+    for (; next < vertices.size(); ++next)
+    {
+      for (const Edge& edge : this->At(vertices[next]))
+      {
+        append(edge.neighbour);
+      }
+    }
+  }
+  return VertexOrder(std::move(vertices));
 }
 
 void SmoothingGraph::FindAreas(const RingEdges& rings)

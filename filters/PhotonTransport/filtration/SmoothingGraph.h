@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/filtration/VertexOrder.h"
 #include "PhotonTransport/geometry/FacetRings.h"
 
 #include <glm/vec3.hpp>
@@ -12,7 +13,6 @@ namespace PhotonTransport
 {
 
 class RingEdges;
-class VertexOrder;
 
 /// Which vertices exchange light when a map is smoothed, and how strongly: the cotangent Laplacian
 /// of the surface, cut along creases, non-manifold edges and rims, so that smooth patches are its
@@ -39,6 +39,11 @@ public:
 
   /// The same graph with its vertices numbered by their places in an order.
   SmoothingGraph(const SmoothingGraph& graph, const VertexOrder& order);
+
+  /// An order in which neighbours are near each other, whatever order the mesh has: that of a
+  /// breadth-first search (Cuthill and McKee, 1969). Memory, not arithmetic, is what smoothing
+  /// waits for.
+  VertexOrder BreadthFirstOrder() const;
 
   std::size_t Vertices() const { return this->Areas.size(); }
   /// A_v, a third of the facets around; 0 where there are none. Square of the points' unit.

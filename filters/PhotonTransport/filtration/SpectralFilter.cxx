@@ -4,6 +4,8 @@
 #include "PhotonTransport/filtration/Parallel.h"
 #include "PhotonTransport/filtration/Row.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -21,11 +23,11 @@ constexpr double Tolerance = 1e-3;
 std::vector<double> SeriesFromNodes(
   const std::function<double(double)>& response, std::size_t nodes)
 {
-  constexpr double Pi = 3.14159265358979323846;
   std::vector<double> cosines(4 * nodes); // of multiples of a quarter turn over the nodes
   for (std::size_t i = 0; i < cosines.size(); ++i)
   {
-    cosines[i] = std::cos(Pi * static_cast<double>(i) / (2.0 * static_cast<double>(nodes)));
+    cosines[i] =
+      std::cos(glm::pi<double>() * static_cast<double>(i) / (2.0 * static_cast<double>(nodes)));
   }
   std::vector<double> series(nodes / 2, 0.0);
   for (std::size_t i = 0; i < nodes; ++i)

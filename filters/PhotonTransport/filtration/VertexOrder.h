@@ -1,23 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PhotonTransport/filtration/SmoothingGraph.h"
-
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace PhotonTransport
 {
 
-/// An order in which neighbours are near each other in memory, whatever order the mesh has: that of
-/// a breadth-first search (Cuthill and McKee, 1969). Memory, not arithmetic, is what smoothing
-/// waits for.
+/// All vertices of a mesh in some order.
 class VertexOrder
 {
 public:
-  explicit VertexOrder(const SmoothingGraph& graph);
+  /// @param vertices [place] The vertex there; each vertex of the mesh once.
+  explicit VertexOrder(std::vector<std::uint32_t> vertices)
+    : Vertices(std::move(vertices))
+    , PlaceOf(this->Vertices.size())
+  {
+    for (std::size_t place = 0; place < this->Vertices.size(); ++place)
+    {
+      this->PlaceOf[this->Vertices[place]] = static_cast<std::uint32_t>(place);
+    }
+  }
 
-  /// The vertex of the graph at a place in the order.
+  /// The vertex at a place in the order.
   std::uint32_t At(std::size_t place) const { return this->Vertices[place]; }
   /// The place of each vertex.
   const std::vector<std::uint32_t>& Places() const { return this->PlaceOf; }

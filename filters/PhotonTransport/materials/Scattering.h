@@ -5,6 +5,7 @@
 #include "PhotonTransport/materials/Fresnel.h"
 #include "PhotonTransport/materials/GlossyReflection.h"
 #include "PhotonTransport/materials/Material.h"
+#include "PhotonTransport/materials/ScatteringSet.h"
 #include "PhotonTransport/sampling/PhotonSample.h"
 
 #include <array>
@@ -12,30 +13,6 @@
 
 namespace PhotonTransport
 {
-
-/// The ways in which a photon goes on from a facet.
-enum class Scattering : unsigned
-{
-  DiffuseReflection,
-  SpecularReflection,
-  GlossyReflection,
-  DiffuseTransmission,
-  ClearTransmission, ///< Through a thin pane, or mirrored by it.
-  Refraction         ///< At the surface of a solid body, reflection there included.
-};
-constexpr unsigned Scatterings = 6;
-
-/// A set of them.
-using ScatteringSet = unsigned;
-constexpr ScatteringSet SetOf(Scattering scattering)
-{
-  return 1u << static_cast<unsigned>(scattering);
-}
-constexpr ScatteringSet AllScatterings = (1u << Scatterings) - 1u;
-constexpr ScatteringSet Reflections =
-  SetOf(Scattering::SpecularReflection) | SetOf(Scattering::GlossyReflection);
-constexpr ScatteringSet Transmissions = SetOf(Scattering::DiffuseTransmission) |
-  SetOf(Scattering::ClearTransmission) | SetOf(Scattering::Refraction);
 
 /// What a photon does next, unless it is absorbed.
 struct Departure

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PhotonTransport/statistics/Arrivals.h"
-#include "PhotonTransport/statistics/PhotonBalance.h"
+#include "PhotonTransport/registration/Arrivals.h"
+#include "PhotonTransport/registration/PhotonBalance.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace PhotonTransport
@@ -54,31 +56,7 @@ struct alignas(32) VertexSums
   }
 };
 
-/// All that is kept of a set of photons. The sums of disjoint sets add up.
-struct IlluminationSums
-{
-  IlluminationSums() = default;
-  IlluminationSums(std::size_t vertices, bool backSide, std::size_t lamps = 1)
-    : front(vertices)
-    , back(backSide ? vertices : 0)
-    , arrivals(lamps)
-  {
-  }
-
-  std::vector<VertexSums> front;
-  std::vector<VertexSums> back; ///< Empty unless the back is registered.
-  /// Weight that the bound cut off, coarse, over all vertices and the sides that are registered.
-  /// Times flux / N it is in lm.
-  FixedPoint cutByWeightBound = 0;
-  PhotonBalance balance;
-  std::vector<Arrivals> arrivals; ///< By lamp.
-};
-
-/// Adds `part` to `total` and clears it for the next use.
-void MoveInto(IlluminationSums& total, IlluminationSums& part);
-
-/// Parts of the light on the front that are kept apart, by colour and by lamp. They are summed over
-/// all replicates, so that they have no standard errors of their own.
+/// Parts of the light on the front that are kept apart, by colour and by lamp.
 struct LightLayers
 {
   static constexpr std::size_t Channels = 3;
@@ -92,6 +70,10 @@ struct LightLayers
   {
   }
 
+  double Weights(std::size_t vertex, std::size_t layer) const
+  {
+    return FromFixedPoint(this->sums[vertex * this->perVertex + layer]);
+  }
   bool HasColour() const { return this->firstLamp > 0; }
   bool HasLamps() const { return this->perVertex > this->firstLamp; }
 
@@ -100,6 +82,39 @@ struct LightLayers
   std::vector<FixedPoint> sums; ///< [vertex][layer]
 };
 
-void MoveInto(LightLayers& total, LightLayers& part);
+/// E = (flux / N) V / A, lx; 0 where no photon or no area is. @param flux lm. @param area m^2.
+/// @param weights V, from the sums of `photons` photons.
+inline double Illuminance(double flux, double area, double weights, double photons)
+{
+  // In this order, since the flux of one weight may be too small for a normal number.
+  return area > 0.0 && photons > 0.0 ? flux / area * weights / photons : 0.0;
+}
+
+/// All that is kept of a set of photons. The sums of disjoint sets add up.
+struct IlluminationSums
+{
+  IlluminationSums() = default;
+  IlluminationSums(
+    std::size_t vertices, bool backSide, std::size_t lamps = 1, LightLayers ofLight = {})
+    : front(vertices)
+    , back(backSide ? vertices : 0)
+    , layers(std::move(ofLight))
+    , arrivals(lamps)
+  {
+  }
+
+  std::vector<VertexSums> front;
+  std::vector<VertexSums> back; ///< Empty unless the back is registered.
+  LightLayers layers;
+  /// Weight that the bound cut off, coarse, over all vertices and the sides that are registered.
+  /// Times flux / N it is in lm.
+  FixedPoint cutByWeightBound = 0;
+  PhotonBalance balance;
+  std::vector<Arrivals> arrivals; ///< By lamp.
+};
+
+/// Adds `part` to `total`, but its layers to `layers`, and clears it for the next use. Layers are
+/// lost where `layers` is empty.
+void MoveInto(IlluminationSums& total, LightLayers& layers, IlluminationSums& part);
 
 } // namespace PhotonTransport

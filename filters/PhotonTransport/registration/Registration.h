@@ -23,6 +23,7 @@ enum class Registration : int
   FacetRatio = 1,      ///< Formulas (2), (3): times cos to the smooth over cos to the flat normal.
   VertexNormalised = 2 ///< Times cos to the vertex normal over the area the ring shows to the ray.
 };
+constexpr unsigned Registrations = 3;
 
 /// Area that the ring of `v` shows to light arriving from `towards`, over its whole area:
 /// sum (towards . a_f)^+ / sum |a_f|. Only grazing light needs this sum over the ring; otherwise
@@ -44,15 +45,15 @@ inline float ShownArea(const Scene& scene, std::uint32_t v, const glm::vec3& tow
 /// Weights of one hit for the three vertices of its facet, before the bound. Each is within
 /// [0, LargestFactor] times its barycentric coordinate. @param towards Unit, on the front of the
 /// facet: back along the ray for a hit on the front, along it for a hit on the back.
-template <Registration Kind>
+template <Registration RegistrationKind>
 glm::vec3 HitWeights(
   const Scene& scene, const Facet& facet, const glm::vec3& barycentric, const glm::vec3& towards)
 {
-  if constexpr (Kind == Registration::Flat)
+  if constexpr (RegistrationKind == Registration::Flat)
   {
     return barycentric;
   }
-  else if constexpr (Kind == Registration::FacetRatio)
+  else if constexpr (RegistrationKind == Registration::FacetRatio)
   {
     glm::vec3 smooth(0.0f);
     int flatCorners = 0;
@@ -114,16 +115,16 @@ struct PhotonOrigin
 };
 
 /// Adds hits to one thread's sums.
-template <Registration Kind, bool BackSide>
+template <Registration RegistrationKind, bool BackSide>
 class Registrar
 {
 public:
   /// @param weightBound Largest factor by which compensation may raise a hit; >= 1.
-  Registrar(const Scene& scene, float weightBound, IlluminationSums& sums, LightLayers& layers)
-    : Surroundings(scene)
+  Registrar(const Scene& scene, float weightBound, IlluminationSums& sums)
+    : LitScene(scene)
     , WeightBound(weightBound)
     , Sums(sums)
-    , Layers(layers)
+    , Layers(sums.layers)
   {
   }
 
@@ -147,10 +148,10 @@ public:
   {
     if (hit)
     {
-      const Facet& facet = this->Surroundings.Facets()[hit.facet];
+      const Facet& facet = this->LitScene.Facets()[hit.facet];
       for (int corner = 0; corner < 3; ++corner)
       {
-        this->Surroundings.PrefetchVertex(facet.vertices[corner]);
+        this->LitScene.PrefetchVertex(facet.vertices[corner]);
         __builtin_prefetch(&this->Sums.front[facet.vertices[corner]], 1);
       }
     }
@@ -160,8 +161,9 @@ private:
   void Register(const Hit& hit, const glm::vec3& towards, const PhotonOrigin& photon,
     std::vector<VertexSums>& map, bool layers, unsigned corners) const
   {
-    const Facet& facet = this->Surroundings.Facets()[hit.facet];
-    const glm::vec3 weights = HitWeights<Kind>(this->Surroundings, facet, hit.barycentric, towards);
+    const Facet& facet = this->LitScene.Facets()[hit.facet];
+    const glm::vec3 weights =
+      HitWeights<RegistrationKind>(this->LitScene, facet, hit.barycentric, towards);
     FixedPoint rounded[3] = {};
     for (int corner = 0; corner < 3; ++corner)
     {
@@ -170,7 +172,7 @@ private:
         continue;
       }
       float weight = weights[corner];
-      if constexpr (Kind != Registration::Flat)
+      if constexpr (RegistrationKind != Registration::Flat)
       {
         const float most = this->WeightBound * hit.barycentric[corner];
         if (weight > most)
@@ -207,7 +209,7 @@ private:
     }
   }
 
-  const Scene& Surroundings;
+  const Scene& LitScene;
   float WeightBound;
   IlluminationSums& Sums;
   LightLayers& Layers;

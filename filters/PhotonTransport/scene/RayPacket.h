@@ -2,8 +2,8 @@
 // Shows Embree, so it is only for EmbreeScene.cxx to include.
 #pragma once
 
-#include "PhotonTransport/scene/EmbreeScene.h"
 #include "PhotonTransport/scene/EmbreeVersion.h"
+#include "PhotonTransport/scene/Ray.h"
 
 #include <cmath>
 #include <cstddef>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/Scene.h"
 
+#include "PhotonTransport/materials/Scattering.h"
 #include "PhotonTransport/scene/FacetSide.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/scene/LargeFacets.h"
@@ -56,12 +57,7 @@ Scene::Scene(const Surface& surface)
   this->FindSharedPlaces(positions);
   this->AddVertices(surface, positions);
   this->BuildBvh(std::move(positions));
-  ThinGaps& gaps = this->Found.thinGaps;
-  gaps = FindThinGaps(*this);
-  for (std::uint32_t* facet : { &gaps.facet, &gaps.other, &gaps.firstUnresolved })
-  {
-    *facet = this->InSurface(*facet);
-  }
+  this->FindThinGaps();
 }
 
 std::uint32_t Scene::InSurface(std::uint32_t facet) const

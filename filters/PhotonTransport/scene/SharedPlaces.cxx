@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PhotonTransport/scene/SharedPlaces.h"
+#include "PhotonTransport/scene/SharedPlace.h"
 
 #include "PhotonTransport/materials/MaterialProperties.h"
 #include "PhotonTransport/scene/DoubleSheets.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PhotonTransport/scene/ThinGaps.h"
-
+#include "PhotonTransport/materials/Scattering.h"
 #include "PhotonTransport/scene/ParallelFor.h"
 #include "PhotonTransport/scene/Scene.h"
 
@@ -34,7 +33,7 @@ class Search
 {
 public:
   explicit Search(const Scene& scene)
-    : Surroundings(scene)
+    : SearchedScene(scene)
   {
   }
 
@@ -61,22 +60,22 @@ private:
 
   bool LetsLightThrough(std::uint32_t facet) const
   {
-    const Scene& scene = this->Surroundings;
+    const Scene& scene = this->SearchedScene;
     return (ScatteringsOf(scene.Materials()[scene.MaterialOfFacet()[facet]]) & Transmissions) != 0;
   }
 
   bool IsSolid(std::uint32_t facet) const
   {
-    const Scene& scene = this->Surroundings;
+    const Scene& scene = this->SearchedScene;
     return scene.Materials()[scene.MaterialOfFacet()[facet]].solid;
   }
 
   void Add(std::uint32_t f, bool front)
   {
-    const Facet& facet = this->Surroundings.Facets()[f];
+    const Facet& facet = this->SearchedScene.Facets()[f];
     const glm::vec3 middle(1.0f / 3.0f);
-    const glm::vec3 start = this->Surroundings.SafeOrigin(f, middle, front);
-    const float offset = OriginOffset * this->Surroundings.Reach(start);
+    const glm::vec3 start = this->SearchedScene.SafeOrigin(f, middle, front);
+    const float offset = OriginOffset * this->SearchedScene.Reach(start);
     if (facet.marginPerOffset * offset > EdgeClearance / Narrow)
     {
       this->NoteIfUnresolved(f, front, offset);
@@ -90,8 +89,8 @@ private:
 
   void NoteIfUnresolved(std::uint32_t f, bool front, float offset)
   {
-    const glm::uvec3& ids = this->Surroundings.Facets()[f].vertices;
-    const auto corner = [&](int c) { return this->Surroundings.Vertices()[ids[c]].position; };
+    const glm::uvec3& ids = this->SearchedScene.Facets()[f].vertices;
+    const auto corner = [&](int c) { return this->SearchedScene.Vertices()[ids[c]].position; };
     const float longest = std::max({ glm::length(corner(1) - corner(0)),
       glm::length(corner(2) - corner(1)), glm::length(corner(0) - corner(2)) });
     if (front && longest < Narrow * offset)
@@ -103,7 +102,7 @@ private:
   void Look()
   {
     std::array<Hit, Together> hits;
-    this->Surroundings.Intersect(this->Rays.data(), hits.data(), this->Rays.size());
+    this->SearchedScene.Intersect(this->Rays.data(), hits.data(), this->Rays.size());
     for (std::size_t i = 0; i < this->Rays.size(); ++i)
     {
       if (hits[i] && hits[i].facet != this->Probes[i].facet)
@@ -117,7 +116,7 @@ private:
 
   void Judge(const Probe& probe, const Ray& ray, const Hit& hit)
   {
-    const Facet& other = this->Surroundings.Facets()[hit.facet];
+    const Facet& other = this->SearchedScene.Facets()[hit.facet];
     const bool inFront = probe.front && glm::dot(ray.direction, other.normal) > 0.0f;
     const bool lit = inFront || this->LetsLightThrough(hit.facet) || !probe.front;
     const double gap = double{ probe.offset } - this->WayTo(ray, hit);
@@ -126,7 +125,7 @@ private:
     {
       return;
     }
-    const double unit = 1.0 / this->Surroundings.GetPlacement().scale;
+    const double unit = 1.0 / this->SearchedScene.GetPlacement().scale;
     if (this->Found.number++ == 0 || gap * unit < this->Found.gap)
     {
       this->Found.facet = probe.facet;
@@ -140,15 +139,15 @@ private:
   double OnePlace(const Probe& probe, const Ray& ray) const
   {
     const double data = 2.0 *
-      this->Surroundings.GetRounding().Along(glm::dvec3(ray.direction), glm::dvec3(ray.origin));
+      this->SearchedScene.GetRounding().Along(glm::dvec3(ray.direction), glm::dvec3(ray.origin));
     return std::max(Rounding * double{ probe.offset }, data);
   }
 
   double WayTo(const Ray& ray, const Hit& hit) const
   {
-    const glm::uvec3& ids = this->Surroundings.Facets()[hit.facet].vertices;
+    const glm::uvec3& ids = this->SearchedScene.Facets()[hit.facet].vertices;
     const auto corner = [&](unsigned id)
-    { return glm::dvec3(this->Surroundings.Vertices()[id].position); };
+    { return glm::dvec3(this->SearchedScene.Vertices()[id].position); };
     const glm::dvec3 a = corner(ids.x);
     const glm::dvec3 end = a + double{ hit.barycentric.y } * (corner(ids.y) - a) +
       double{ hit.barycentric.z } * (corner(ids.z) - a);
@@ -157,8 +156,10 @@ private:
 
   bool ShareAPoint(std::uint32_t one, std::uint32_t other) const
   {
-    const auto corner = [&](std::uint32_t facet, int c) {
-      return this->Surroundings.Vertices()[this->Surroundings.Facets()[facet].vertices[c]].position;
+    const auto corner = [&](std::uint32_t facet, int c)
+    {
+      return this->SearchedScene.Vertices()[this->SearchedScene.Facets()[facet].vertices[c]]
+        .position;
     };
     for (int i = 0; i < 9; ++i)
     {
@@ -170,48 +171,52 @@ private:
     return false;
   }
 
-  const Scene& Surroundings;
+  const Scene& SearchedScene;
   std::vector<Probe> Probes;
   std::vector<Ray> Rays;
   ThinGaps Found;
 };
 
-} // namespace
-
-void ThinGaps::Add(const ThinGaps& later)
+/// Adds what was found among facets that come later in the list.
+void Add(ThinGaps& found, const ThinGaps& later)
 {
-  if (later.number > 0 && (this->number == 0 || later.gap < this->gap))
+  if (later.number > 0 && (found.number == 0 || later.gap < found.gap))
   {
-    this->facet = later.facet;
-    this->other = later.other;
-    this->gap = later.gap;
-    this->offset = later.offset;
+    found.facet = later.facet;
+    found.other = later.other;
+    found.gap = later.gap;
+    found.offset = later.offset;
   }
-  this->firstUnresolved = this->unresolved == 0 ? later.firstUnresolved : this->firstUnresolved;
-  this->number += later.number;
-  this->unresolved += later.unresolved;
+  found.firstUnresolved = found.unresolved == 0 ? later.firstUnresolved : found.firstUnresolved;
+  found.number += later.number;
+  found.unresolved += later.unresolved;
 }
 
-ThinGaps FindThinGaps(const Scene& scene)
+} // namespace
+
+void Scene::FindThinGaps()
 {
   constexpr std::size_t Chunk = 4096;
-  const std::size_t facets = scene.Facets().size();
+  const std::size_t facets = this->FacetRecords.size();
   std::vector<ThinGaps> chunks((facets + Chunk - 1) / Chunk);
   ParallelFor(0, chunks.size(),
     [&](const tbb::blocked_range<std::uint64_t>& range)
     {
       for (std::uint64_t c = range.begin(); c < range.end(); ++c)
       {
-        chunks[c] = Search(scene).Run(static_cast<std::uint32_t>(c * Chunk),
+        chunks[c] = Search(*this).Run(static_cast<std::uint32_t>(c * Chunk),
           static_cast<std::uint32_t>(std::min((c + 1) * Chunk, facets)));
       }
     });
-  ThinGaps all;
+  ThinGaps& all = this->Found.thinGaps;
   for (const ThinGaps& chunk : chunks)
   {
-    all.Add(chunk);
+    Add(all, chunk);
   }
-  return all;
+  for (std::uint32_t* facet : { &all.facet, &all.other, &all.firstUnresolved })
+  {
+    *facet = this->InSurface(*facet);
+  }
 }
 
 } // namespace PhotonTransport

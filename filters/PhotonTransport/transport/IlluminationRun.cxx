@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace PhotonTransport
 {
@@ -70,18 +71,19 @@ void Validate(const StopRules& rules)
   }
   if (!(rules.seconds >= 0.0) || !std::isfinite(rules.seconds))
   {
-    RefuseRule(
-      "the time limit is " + std::to_string(rules.seconds) + " s; it must be 0 (none) or more, and finite");
+    RefuseRule("the time limit is " + std::to_string(rules.seconds) +
+      " s; it must be 0 (none) or more, and finite");
   }
 }
 
 IlluminationRun::IlluminationRun(
   const Scene& scene, const Lighting& lighting, const TraceSettings& settings)
-  : Surroundings(scene)
+  : LitScene(scene)
   , Tracer(scene, lighting, settings)
-  , Sums{ std::vector<IlluminationSums>(settings.replicates, this->Tracer.EmptySums()) }
-  , Layers(this->Tracer.EmptyLayers())
 {
+  IlluminationSums empty = this->Tracer.EmptySums();
+  this->Sums.layers = std::exchange(empty.layers, {});
+  this->Sums.replicates.assign(settings.replicates, empty);
 }
 
 StopReason IlluminationRun::Advance(const StopRules& rules, const ProgressMonitor& monitor)
@@ -113,8 +115,7 @@ std::optional<StopReason> IlluminationRun::RuleReached(const StopRules& rules) c
     return StopReason::RelativeError;
   }
   if (rules.relativeError > 0.0 && this->BlocksTraced() * PhotonBlock >= MostPhotonsInTheDark &&
-    !this->Sums.AnyLight(&IlluminationSums::front) &&
-    !this->Sums.AnyLight(&IlluminationSums::back))
+    !this->Sums.AnyLight(&IlluminationSums::front) && !this->Sums.AnyLight(&IlluminationSums::back))
   {
     return StopReason::NothingLit;
   }
@@ -140,7 +141,7 @@ std::uint64_t IlluminationRun::NextRound(const StopRules& rules) const
   const std::uint64_t replicates = this->Sums.replicates.size();
   const std::uint64_t limit = this->BlocksFor(rules.photons);
   const std::uint64_t first =
-    std::max<std::uint64_t>(FirstRound, this->Surroundings.Vertices().size() / PhotonBlock);
+    std::max<std::uint64_t>(FirstRound, this->LitScene.Vertices().size() / PhotonBlock);
   const auto traced = static_cast<double>(this->BlocksTraced() / replicates);
   const double growth = rules.relativeError > 0.0 ? GrowthTowardsTarget : Growth;
   double next = std::max(static_cast<double>(first), growth * traced);
@@ -164,7 +165,7 @@ std::optional<StopReason> IlluminationRun::TraceRound(
 {
   const std::uint64_t end = this->NextRound(rules);
   const std::uint64_t slice = std::max<std::uint64_t>(
-    LeastSlice, SlicePhotonsPerVertex * this->Surroundings.Vertices().size() / PhotonBlock);
+    LeastSlice, SlicePhotonsPerVertex * this->LitScene.Vertices().size() / PhotonBlock);
   for (std::uint32_t r = 0; r < this->Sums.replicates.size(); ++r)
   {
     while (this->BlocksOf(r) < end)
@@ -189,9 +190,9 @@ bool IlluminationRun::TraceSlice(
   const Stopwatch stopwatch(this->SecondsTraced);
   const Monitor report = [&](std::uint64_t done)
   { return monitor(this->ProgressTowards(rules, done)); };
-  this->Whole = this->Tracer.Trace(number, this->BlocksOf(number), count,
-    this->Sums.replicates[number], monitor ? report : Monitor(), &this->Layers);
-  return this->Whole;
+  this->WithoutGaps = this->Tracer.Trace(number, this->BlocksOf(number), count,
+    this->Sums.replicates[number], monitor ? report : Monitor(), &this->Sums.layers);
+  return this->WithoutGaps;
 }
 
 void IlluminationRun::AddRow(const StopRules& rules)
@@ -199,7 +200,7 @@ void IlluminationRun::AddRow(const StopRules& rules)
   Accuracy row;
   {
     const Stopwatch stopwatch(this->SecondsTraced);
-    MeasureErrors(row, this->Front(), this->Surroundings.VertexAreas());
+    MeasureErrors(row, this->Front(), this->LitScene.VertexAreas());
   }
   const PhotonBalance balance = this->Balance();
   row.photons = balance.emitted;
@@ -228,40 +229,6 @@ RunProgress IlluminationRun::ProgressTowards(const StopRules& rules, std::uint64
   // Predictions change their mind; a progress bar must not.
   this->LargestFraction = std::clamp(fraction, this->LargestFraction, 1.0);
   return { this->LargestFraction, seconds * (1.0 / this->LargestFraction - 1.0) };
-}
-
-double IlluminationRun::LuxOfLayer(std::size_t vertex, std::size_t layer) const
-{
-  const auto emitted = static_cast<double>(this->Balance().emitted);
-  const double area = this->Surroundings.VertexAreas()[vertex];
-  const FixedPoint sum = this->Layers.sums[vertex * this->Layers.perVertex + layer];
-  // As ReplicateSums::Map multiplies: the flux of one weight may be too small for a normal number.
-  return emitted > 0.0 && area > 0.0 ? this->Flux() / area * FromFixedPoint(sum) / emitted : 0.0;
-}
-
-std::vector<std::array<double, 3>> IlluminationRun::FrontByColour() const
-{
-  std::vector<std::array<double, 3>> front;
-  for (std::size_t v = 0; v < this->Surroundings.Vertices().size() && this->Layers.HasColour(); ++v)
-  {
-    std::array<double, 3> lux;
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      lux[c] = this->LuxOfLayer(v, c) / double{ LuminousWeights[static_cast<int>(c)] };
-    }
-    front.push_back(lux);
-  }
-  return front;
-}
-
-std::vector<double> IlluminationRun::FrontOfLamp(std::size_t lamp) const
-{
-  std::vector<double> front(this->Surroundings.Vertices().size(), 0.0);
-  for (std::size_t v = 0; v < front.size() && this->Layers.HasLamps(); ++v)
-  {
-    front[v] = this->LuxOfLayer(v, this->Layers.firstLamp + lamp);
-  }
-  return front;
 }
 
 double IlluminationRun::FluxSwitchedOff(Scattering scattering) const

@@ -24,8 +24,8 @@ struct StopRules
 };
 
 /// A run towards a relative error ends when it has traced so many photons and none of them has
-/// registered on any side. With 95 % confidence less than 3 in so many photons do, and no target can
-/// be met with so few. Without this rule the run would go on to StopRules::photons.
+/// registered on any side. With 95 % confidence less than 3 in so many photons do, and no target
+/// can be met with so few. Without this rule the run would go on to StopRules::photons.
 constexpr std::uint64_t MostPhotonsInTheDark = 1u << 20;
 
 /// Throws InvalidInput that names the rule.
@@ -66,7 +66,7 @@ public:
 
   /// False once an abort has left gaps in the sequences: the map is valid, but going on would not
   /// give the bits that a run in one go gives.
-  bool CanGoOn() const { return this->Whole; }
+  bool CanGoOn() const { return this->WithoutGaps; }
   /// And whether a run to so many photons would not have ended before.
   bool CanGoOnTo(std::uint64_t photons) const;
 
@@ -78,14 +78,20 @@ public:
   /// four have photons, or if there are fewer than four replicates.
   GroupMeans FrontByGroups() const
   {
-    return this->Sums.FrontByGroups(this->Flux(), this->Surroundings.VertexAreas());
+    return this->Sums.FrontByGroups(this->Flux(), this->LitScene.VertexAreas());
   }
 
   /// [vertex] The light on the front by colour, lx. White light has three equal channels; the sum
   /// weighted by LuminousWeights is that of Front(). Empty where the scene calls for no colour.
-  std::vector<std::array<double, 3>> FrontByColour() const;
+  std::vector<std::array<double, 3>> FrontByColour() const
+  {
+    return this->Sums.FrontByColour(this->Flux(), this->LitScene.VertexAreas());
+  }
   /// [vertex] The light on the front from one luminaire, lx; 0 unless TraceSettings::lampsApart.
-  std::vector<double> FrontOfLamp(std::size_t lamp) const;
+  std::vector<double> FrontOfLamp(std::size_t lamp) const
+  {
+    return this->Sums.FrontOfLamp(lamp, this->Flux(), this->LitScene.VertexAreas());
+  }
 
   PhotonBalance Balance() const { return this->Sums.Balance(); }
   /// Where each luminaire's photons first arrived. [luminaire]
@@ -120,7 +126,7 @@ private:
   }
   IlluminationMap MapOf(ReplicateSums::Side side) const
   {
-    return this->Sums.Map(side, this->Flux(), this->Surroundings.VertexAreas());
+    return this->Sums.Map(side, this->Flux(), this->LitScene.VertexAreas());
   }
   std::uint64_t BlocksTraced() const { return this->Balance().emitted / PhotonBlock; }
   std::optional<StopReason> RuleReached(const StopRules& rules) const;
@@ -128,18 +134,16 @@ private:
   std::optional<StopReason> TraceRound(const StopRules& rules, const ProgressMonitor& monitor);
   bool TraceSlice(std::uint32_t number, std::uint64_t count, const StopRules& rules,
     const ProgressMonitor& monitor);
-  double LuxOfLayer(std::size_t vertex, std::size_t layer) const;
   void AddRow(const StopRules& rules);
   RunProgress ProgressTowards(const StopRules& rules, std::uint64_t blocksOfSlice);
 
-  const Scene& Surroundings;
+  const Scene& LitScene;
   PhotonTracer Tracer;
   ReplicateSums Sums;
-  LightLayers Layers;
   std::vector<Accuracy> Rows;
   double SecondsTraced = 0.0;
   double LargestFraction = 0.0;
-  bool Whole = true;
+  bool WithoutGaps = true;
 };
 
 } // namespace PhotonTransport

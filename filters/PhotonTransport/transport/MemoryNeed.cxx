@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/transport/MemoryNeed.h"
 
+#include "PhotonTransport/materials/Scattering.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 
 #include <glm/vec2.hpp>

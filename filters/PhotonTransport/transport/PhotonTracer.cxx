@@ -3,7 +3,7 @@
 
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/scene/ParallelFor.h"
-#include "PhotonTransport/transport/Walk.h"
+#include "PhotonTransport/transport/CompiledWalks.h"
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
@@ -22,93 +22,11 @@ namespace PhotonTransport
 namespace
 {
 
-struct Job
-{
-  WalkSettings walk;
-  float weightBound;
-};
-
-/// Flattened: with so many walks in one file, compilers stop inlining what is hot in each.
-template <Registration Kind, bool BackSide, Walk Way>
-[[gnu::flatten]] void TraceBlock(const Job& job, std::uint64_t first, std::uint64_t last,
-  IlluminationSums& sums, LightLayers& layers)
-{
-  const Registrar<Kind, BackSide> registrar(job.walk.scene, job.weightBound, sums, layers);
-  WalkPhotons<Way>(job.walk, first, last, registrar, sums.balance, sums.arrivals.data());
-}
-
-using BlockTracer = void (*)(
-  const Job&, std::uint64_t, std::uint64_t, IlluminationSums&, LightLayers&);
-
-template <Registration Kind, bool BackSide>
-BlockTracer Choose(Walk way)
-{
-  switch (way)
-  {
-    case Walk::Ends:
-      return TraceBlock<Kind, BackSide, Walk::Ends>;
-    case Walk::Diffuse:
-      return TraceBlock<Kind, BackSide, Walk::Diffuse>;
-    case Walk::Coloured:
-      return TraceBlock<Kind, BackSide, Walk::Coloured>;
-    case Walk::Reflecting:
-      return TraceBlock<Kind, BackSide, Walk::Reflecting>;
-    case Walk::Transmitting:
-      return TraceBlock<Kind, BackSide, Walk::Transmitting>;
-    case Walk::General:
-      break;
-  }
-  return TraceBlock<Kind, BackSide, Walk::General>;
-}
-
-template <Registration Kind>
-BlockTracer Choose(Walk way, bool backSide)
-{
-  return backSide ? Choose<Kind, true>(way) : Choose<Kind, false>(way);
-}
-
-/// The walk compiled for just these effects.
-BlockTracer Choose(Registration registration, Walk way, bool backSide)
-{
-  switch (registration)
-  {
-    case Registration::Flat:
-      return Choose<Registration::Flat>(way, backSide);
-    case Registration::FacetRatio:
-      return Choose<Registration::FacetRatio>(way, backSide);
-    case Registration::VertexNormalised:
-      break;
-  }
-  return Choose<Registration::VertexNormalised>(way, backSide);
-}
-
-/// The walk that a scene needs. Effects that are switched off count, too: the walk must still find
-/// the photons that would have taken that way, and end them.
-Walk WalkFor(const Effects& effects, const TraceSettings& settings)
-{
-  if (settings.mostGeneralWalk)
-  {
-    return Walk::General;
-  }
-  const bool reflects = (effects.present & Reflections) != 0;
-  const bool transmits = (effects.present & Transmissions) != 0;
-  if (reflects || transmits)
-  {
-    return reflects && transmits ? Walk::General
-                                 : (reflects ? Walk::Reflecting : Walk::Transmitting);
-  }
-  if (effects.present == 0)
-  {
-    return Walk::Ends;
-  }
-  return effects.colouredFacets ? Walk::Coloured : Walk::Diffuse;
-}
-
 /// A roulette for each material, or, where there are no materials, for each reflectance.
-FacetRoulettes MakeRoulettes(const Scene& scene, Walk way, bool colour)
+FacetRoulettes MakeRoulettes(const Scene& scene, Walk walk, bool colour)
 {
   FacetRoulettes made;
-  if (way == Walk::Ends || way == Walk::Diffuse)
+  if (walk == Walk::Ends || walk == Walk::Diffuse)
   {
     return made;
   }
@@ -163,7 +81,6 @@ struct PhotonTracer::Workers
     : limit(MoreThanCores(threads))
     , arena(threads)
     , sums(static_cast<std::size_t>(threads))
-    , layers(static_cast<std::size_t>(threads))
   {
   }
 
@@ -180,16 +97,16 @@ struct PhotonTracer::Workers
   std::unique_ptr<tbb::global_control> limit;
   tbb::task_arena arena;
   std::vector<IlluminationSums> sums;
-  std::vector<LightLayers> layers;
 };
 
 PhotonTracer::PhotonTracer(
   const Scene& scene, const Lighting& lighting, const TraceSettings& settings)
-  : Surroundings(scene)
+  : LitScene(scene)
   , Settings(Validated(settings))
-  , Answer(AnalyseEffects(scene, lighting, settings))
-  , Source(lighting, scene, this->Answer.colour)
-  , Materials(MakeRoulettes(scene, WalkFor(this->Answer, settings), this->Answer.colouredFacets))
+  , EffectsFound(AnalyseEffects(scene, lighting, settings))
+  , Source(lighting, scene, this->EffectsFound.colour)
+  , OwnWalk(settings.mostGeneralWalk ? Walk::General : WalkFor(this->EffectsFound))
+  , Materials(MakeRoulettes(scene, this->OwnWalk, this->EffectsFound.colouredFacets))
   , Pool(MakeProcessPtr<Workers>(ThreadCount(settings)))
 {
   RequireIlluminanceInRange(scene, this->Flux());
@@ -197,18 +114,16 @@ PhotonTracer::PhotonTracer(
   {
     sums = this->EmptySums();
   }
-  for (LightLayers& layers : this->Pool->layers)
-  {
-    layers = this->EmptyLayers();
-  }
 }
 
 PhotonTracer::~PhotonTracer() = default;
 
 IlluminationSums PhotonTracer::EmptySums() const
 {
-  return { this->Surroundings.Vertices().size(), this->Settings.registerBackSide,
-    this->Source.Lamps() };
+  const std::size_t vertices = this->LitScene.Vertices().size();
+  const std::size_t lamps = this->Source.Lamps();
+  return { vertices, this->Settings.registerBackSide, lamps,
+    { vertices, this->EffectsFound.colour, this->Settings.lampsApart ? lamps : 0 } };
 }
 
 std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp) const
@@ -223,14 +138,14 @@ std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp)
       continue;
     }
     Hit hit;
-    this->Surroundings.Intersect(&emission.ray, &hit, 1);
+    this->LitScene.Intersect(&emission.ray, &hit, 1);
     if (!hit)
     {
       continue;
     }
-    const Facet& facet = this->Surroundings.Facets()[hit.facet];
+    const Facet& facet = this->LitScene.Facets()[hit.facet];
     const bool front = glm::dot(emission.ray.direction, facet.normal) < 0.0f ||
-      this->Surroundings.PreferFront(emission.ray, hit);
+      this->LitScene.PreferFront(emission.ray, hit);
     const bool translucent = !this->Materials.ofFacet.empty() &&
       this->Materials.roulettes[this->Materials.ofFacet[hit.facet]].translucent;
     if (!front && !translucent)
@@ -241,22 +156,15 @@ std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp)
   return std::nullopt;
 }
 
-LightLayers PhotonTracer::EmptyLayers() const
-{
-  return { this->Surroundings.Vertices().size(), this->Answer.colour,
-    this->Settings.lampsApart ? this->Source.Lamps() : 0 };
-}
-
 bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
   IlluminationSums& sums, const Monitor& monitor, LightLayers* layers)
 {
-  const Job job{ { this->Surroundings, this->Materials, this->Source,
-                   { this->Settings.seed, replicate, this->Settings.sampling },
-                   this->Settings.maximumPathLength, this->Answer.simulated },
-    this->Settings.weightBound };
-  const BlockTracer traceBlock =
-    Choose(this->Settings.mostGeneralWalk ? this->Settings.registration : this->Answer.registration,
-      WalkFor(this->Answer, this->Settings), this->Answer.backSide);
+  const WalkSettings walk{ this->LitScene, this->Materials, this->Source,
+    { this->Settings.seed, replicate, this->Settings.sampling }, this->Settings.maximumPathLength,
+    this->EffectsFound.simulated };
+  const BlockTracer traceBlock = CompiledWalk(this->OwnWalk,
+    this->Settings.mostGeneralWalk ? this->Settings.registration : this->EffectsFound.registration,
+    this->Settings.registerBackSide);
   std::atomic<bool> goOn{ true };
   std::atomic<std::uint64_t> done{ 0 };
   const std::thread::id caller = std::this_thread::get_id();
@@ -268,7 +176,7 @@ bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint
     for (std::uint64_t block = blocks.begin(); block < blocks.end() && goOn; ++block)
     {
       traceBlock(
-        job, block * PhotonBlock, (block + 1) * PhotonBlock, own, this->Pool->layers[thread]);
+        walk, this->Settings.weightBound, block * PhotonBlock, (block + 1) * PhotonBlock, own);
       ++done;
       if (monitor && std::this_thread::get_id() == caller && !monitor(done))
       {
@@ -279,12 +187,7 @@ bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint
   this->Pool->arena.execute([&] { ParallelFor(first, first + count, work); });
   for (IlluminationSums& own : this->Pool->sums)
   {
-    MoveInto(sums, own);
-  }
-  for (LightLayers& own : this->Pool->layers)
-  {
-    LightLayers unwanted = layers ? LightLayers() : own;
-    MoveInto(layers ? *layers : unwanted, own);
+    MoveInto(sums, layers ? *layers : sums.layers, own);
   }
   return goOn;
 }

@@ -39,15 +39,15 @@ public:
 
   /// Adds `count` blocks of a replicate, from block `first`, to `sums`. Stopped early, it adds the
   /// photons that were traced (sums.balance.emitted tells how many) and returns false.
-  /// @param layers If given, gets the parts of the light that are kept apart; see EmptyLayers.
+  /// @param layers If given, gets the layers of the light in place of sums.layers.
   bool Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
     IlluminationSums& sums, const Monitor& monitor = {}, LightLayers* layers = nullptr);
 
+  /// Its layers are channels, where the scene calls for colour, and lamps, where the settings ask
+  /// for them apart.
   IlluminationSums EmptySums() const;
-  /// Channels, where the scene calls for colour; lamps, where the settings ask for them apart.
-  LightLayers EmptyLayers() const;
   double Flux() const { return this->Source.Flux(); }
-  const Effects& EffectsInUse() const { return this->Answer; }
+  const Effects& EffectsInUse() const { return this->EffectsFound; }
 
   /// The corners of one facet on whose back light of a lamp first arrives, as an example for
   /// messages. Nothing if none of the first 65536 photons meets such a facet first.
@@ -55,10 +55,11 @@ public:
 
 private:
   struct Workers;
-  const Scene& Surroundings;
+  const Scene& LitScene;
   TraceSettings Settings;
-  Effects Answer;
+  Effects EffectsFound;
   Emitter Source;
+  Walk OwnWalk;
   FacetRoulettes Materials;
   ProcessPtr<Workers> Pool;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/transport/ReplicateSums.h"
 
+#include "PhotonTransport/materials/Colour.h"
 #include "PhotonTransport/scene/ParallelFor.h"
 #include "PhotonTransport/statistics/FewHits.h"
 #include "PhotonTransport/statistics/ReplicateStatistics.h"
@@ -12,9 +13,25 @@
 
 namespace PhotonTransport
 {
-
 namespace
 {
+
+/// Calls f(vertex) for each vertex that has an area, on many threads.
+template <typename F>
+void ForEachWithArea(const std::vector<double>& areas, const F& f)
+{
+  ParallelFor(0, areas.size(),
+    [&](const tbb::blocked_range<std::uint64_t>& range)
+    {
+      for (std::size_t v = range.begin(); v < range.end(); ++v)
+      {
+        if (areas[v] > 0.0)
+        {
+          f(v);
+        }
+      }
+    });
+}
 
 /// What a hit adds to a vertex. @param sums Of weights, in place of illuminances. In order, so that
 /// the same sums give the same bits.
@@ -72,22 +89,12 @@ IlluminationMap ReplicateSums::Map(Side side, double flux, const std::vector<dou
   IlluminationMap map{ std::vector<double>(vertices, 0.0), std::vector<double>(vertices, 0.0),
     std::vector<double>(vertices, 0.0), std::vector<std::uint64_t>(vertices, 0) };
   const auto emitted = static_cast<double>(this->Balance().emitted);
-  const auto forEach = [&](const auto& evaluate)
+  if (!(emitted > 0.0))
   {
-    ParallelFor(0, vertices,
-      [&](const tbb::blocked_range<std::uint64_t>& range)
-      {
-        for (std::size_t v = range.begin(); v < range.end(); ++v)
-        {
-          if (areas[v] > 0.0 && emitted > 0.0)
-          {
-            evaluate(v);
-          }
-        }
-      });
-  };
+    return map;
+  }
   // Weights first: what a hit adds on average is known only when all are there.
-  forEach(
+  ForEachWithArea(areas,
     [&](std::size_t v)
     {
       VertexSums total;
@@ -105,14 +112,13 @@ IlluminationMap ReplicateSums::Map(Side side, double flux, const std::vector<dou
       map.photonHits[v] = total.hits;
     });
   const FewHits fewHits(MeanWeight(map), this->CanTellSpread());
-  forEach(
+  ForEachWithArea(areas,
     [&](std::size_t v)
     {
-      const double luxPerWeight = flux / areas[v];
       const double error = fewHits.StandardError(map.standardError[v], map.photonHits[v]);
-      map.direct[v] = luxPerWeight * map.direct[v] / emitted;
-      map.indirect[v] = luxPerWeight * map.indirect[v] / emitted;
-      map.standardError[v] = luxPerWeight * error / emitted;
+      map.direct[v] = Illuminance(flux, areas[v], map.direct[v], emitted);
+      map.indirect[v] = Illuminance(flux, areas[v], map.indirect[v], emitted);
+      map.standardError[v] = Illuminance(flux, areas[v], error, emitted);
     });
   return map;
 }
@@ -154,25 +160,48 @@ GroupMeans ReplicateSums::FrontByGroups(double flux, const std::vector<double>& 
     const double shift = FromFixedPoint(total) / all - unweighted;
     for (double& mean : means)
     {
-      mean = flux / areas[v] * (mean + shift);
+      mean = Illuminance(flux, areas[v], mean + shift, 1.0);
     }
     return means;
   };
   GroupMeans groups{ std::vector<GroupValues>(areas.size()),
     std::vector<GroupValues>(areas.size()) };
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, areas.size()),
-    [&](const tbb::blocked_range<std::size_t>& range)
+  ForEachWithArea(areas,
+    [&](std::size_t v)
     {
-      for (std::size_t v = range.begin(); v < range.end(); ++v)
-      {
-        if (areas[v] > 0.0)
-        {
-          groups.direct[v] = meansOf(v, &VertexSums::direct);
-          groups.indirect[v] = meansOf(v, &VertexSums::indirect);
-        }
-      }
+      groups.direct[v] = meansOf(v, &VertexSums::direct);
+      groups.indirect[v] = meansOf(v, &VertexSums::indirect);
     });
   return groups;
+}
+
+std::vector<std::array<double, 3>> ReplicateSums::FrontByColour(
+  double flux, const std::vector<double>& areas) const
+{
+  const auto emitted = static_cast<double>(this->Balance().emitted);
+  std::vector<std::array<double, 3>> front(this->layers.HasColour() ? areas.size() : 0);
+  for (std::size_t v = 0; v < front.size(); ++v)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      front[v][c] = Illuminance(flux, areas[v], this->layers.Weights(v, c), emitted) /
+        double{ LuminousWeights[static_cast<int>(c)] };
+    }
+  }
+  return front;
+}
+
+std::vector<double> ReplicateSums::FrontOfLamp(
+  std::size_t lamp, double flux, const std::vector<double>& areas) const
+{
+  const auto emitted = static_cast<double>(this->Balance().emitted);
+  std::vector<double> front(areas.size(), 0.0);
+  for (std::size_t v = 0; v < front.size() && this->layers.HasLamps(); ++v)
+  {
+    front[v] =
+      Illuminance(flux, areas[v], this->layers.Weights(v, this->layers.firstLamp + lamp), emitted);
+  }
+  return front;
 }
 
 bool ReplicateSums::AnyLight(Side side) const

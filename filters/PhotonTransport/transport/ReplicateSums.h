@@ -5,7 +5,8 @@
 #include "PhotonTransport/registration/IlluminationSums.h"
 #include "PhotonTransport/statistics/GroupMeans.h"
 
-#include <cstdint>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace PhotonTransport
@@ -16,7 +17,9 @@ struct ReplicateSums
 {
   using Side = std::vector<VertexSums> IlluminationSums::*;
 
-  std::vector<IlluminationSums> replicates;
+  std::vector<IlluminationSums> replicates; ///< Without layers.
+  /// Of all replicates together, which takes less memory and tells no standard errors.
+  LightLayers layers;
 
   PhotonBalance Balance() const;
   /// [lamp] Summed over the replicates.
@@ -30,6 +33,12 @@ struct ReplicateSums
 
   /// See IlluminationRun::FrontByGroups.
   GroupMeans FrontByGroups(double flux, const std::vector<double>& areas) const;
+
+  /// See IlluminationRun.
+  std::vector<std::array<double, 3>> FrontByColour(
+    double flux, const std::vector<double>& areas) const;
+  std::vector<double> FrontOfLamp(
+    std::size_t lamp, double flux, const std::vector<double>& areas) const;
 
   /// Whether anything has registered on that side.
   bool AnyLight(Side side) const;

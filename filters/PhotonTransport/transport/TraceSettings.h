@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PhotonTransport/materials/Scattering.h"
-#include "PhotonTransport/registration/Registration.h"
+#include "PhotonTransport/effects/EffectSettings.h"
 #include "PhotonTransport/sampling/PhotonSample.h"
 
 #include <cstdint>
@@ -14,19 +13,13 @@ namespace PhotonTransport
 constexpr int MostThreads = 1024;
 
 /// How to trace, as opposed to what and for how long.
-struct TraceSettings
+struct TraceSettings : EffectSettings
 {
   std::uint32_t replicates = 8; ///< Independent sequences, for the standard error; >= 2.
   std::uint32_t seed = 1;
   Sampling sampling = Sampling::Sobol;
-  Registration registration = Registration::VertexNormalised;
-  /// Ways of scattering that are simulated where the scene has them. Photons that would take
-  /// another way end there and are counted (PhotonBalance::switchedOff).
-  ScatteringSet scatterings = AllScatterings;
-  bool colour = true;            ///< Simulate colours, where there are any.
-  bool registerBackSide = false; ///< Also register hits on the backs of facets.
-  bool lampsApart = false;       ///< Also keep each lamp's own map.
-  float weightBound = 16.0f;     ///< Largest compensating factor, [1, 2^20]; the rest is reported.
+  bool lampsApart = false;   ///< Also keep each lamp's own map.
+  float weightBound = 16.0f; ///< Largest compensating factor, [1, 2^20]; the rest is reported.
   std::uint32_t maximumPathLength = 10'000; ///< Segments of one photon; >= 1.
   int threads = 0;                          ///< [0, MostThreads]; 0: one for each core.
   /// Trace by the walk that has every effect in it, called for or not. The result has the same bits

@@ -3,11 +3,11 @@
 
 #include "PhotonTransport/lights/Emitter.h"
 #include "PhotonTransport/materials/Scattering.h"
+#include "PhotonTransport/registration/Arrivals.h"
+#include "PhotonTransport/registration/PhotonBalance.h"
 #include "PhotonTransport/registration/Registration.h"
 #include "PhotonTransport/sampling/PhotonSample.h"
 #include "PhotonTransport/scene/Scene.h"
-#include "PhotonTransport/statistics/Arrivals.h"
-#include "PhotonTransport/statistics/PhotonBalance.h"
 
 #include <glm/geometric.hpp>
 
@@ -21,30 +21,18 @@ namespace PhotonTransport
 /// What the walk that is compiled lets photons do at facets.
 enum class Walk
 {
-  Ends,         ///< Every photon ends where it first arrives.
-  Diffuse,      ///< Facets reflect diffusely, all channels alike.
-  Coloured,     ///< Facets reflect diffusely, by channel.
-  Reflecting,   ///< Facets reflect in every way.
-  Transmitting, ///< Facets reflect diffusely and let light through.
-  General       ///< Facets do all of this.
+  Ends,       ///< Every photon ends where it first arrives.
+  Diffuse,    ///< Facets reflect diffusely, all channels alike.
+  Reflecting, ///< Facets reflect in every way, by channel.
+  General     ///< Facets also let light through.
 };
+constexpr unsigned Walks = 4;
 
-constexpr ScatteringSet CompiledIn(Walk kind)
+constexpr ScatteringSet CompiledIn(Walk walk)
 {
   constexpr ScatteringSet Diffuse = SetOf(Scattering::DiffuseReflection);
-  switch (kind)
-  {
-    case Walk::Ends:
-      return 0;
-    case Walk::Reflecting:
-      return Diffuse | Reflections;
-    case Walk::Transmitting:
-      return Diffuse | Transmissions;
-    case Walk::General:
-      return AllScatterings;
-    default:
-      return Diffuse;
-  }
+  constexpr ScatteringSet Sets[Walks] = { 0, Diffuse, Diffuse | Reflections, AllScatterings };
+  return Sets[static_cast<unsigned>(walk)];
 }
 
 /// Materials in the form that the walk needs, by facet. Empty for Walk::Ends and Walk::Diffuse,
@@ -62,8 +50,8 @@ struct WalkSettings
   const FacetRoulettes& materials;
   const Emitter& source;
   SequenceKey key;
-  std::uint32_t longestPath; ///< Segments, >= 1.
-  ScatteringSet switchedOn;  ///< Effects that are simulated.
+  std::uint32_t maximumPathLength; ///< Segments, >= 1.
+  ScatteringSet switchedOn;        ///< Effects that are simulated.
 };
 
 /// A photon of unit energy on its way. The rays of all photons are kept in an array of their own.
@@ -75,14 +63,14 @@ struct Flight
 };
 
 /// What a photon does at the end of a segment, by its material.
-template <Walk Kind>
+template <Walk WalkKind>
 Departure Depart(
   const Flight& photon, const Ray& ray, const Hit& hit, bool front, const WalkSettings& settings)
 {
   const Facet& facet = settings.scene.Facets()[hit.facet];
   const ScatteringSample sample = photon.numbers.At(photon.order);
   const glm::vec3 normal = front ? facet.normal : -facet.normal;
-  if constexpr (Kind == Walk::Diffuse)
+  if constexpr (WalkKind == Walk::Diffuse)
   {
     Departure departure;
     if (Survives(facet.reflectance, sample.survival))
@@ -95,22 +83,22 @@ Departure Depart(
   else
   {
     const Roulette& material = settings.materials.roulettes[settings.materials.ofFacet[hit.facet]];
-    return Scatter<CompiledIn(Kind)>(
+    return Scatter<CompiledIn(WalkKind)>(
       material, photon.origin.channel, sample, ray.direction, normal, front);
   }
 }
 
-constexpr bool LetsLightThrough(Walk kind)
+constexpr bool LetsLightThrough(Walk walk)
 {
-  return (CompiledIn(kind) & Transmissions) != 0;
+  return (CompiledIn(walk) & Transmissions) != 0;
 }
 
 /// Counts a photon that had not arrived before by the side that it has met; see Arrivals.
 /// @return Whether it has arrived: on the back of a facet that lets light through it has not.
-template <Walk Kind>
+template <Walk WalkKind>
 bool CountArrival(const Hit& hit, bool front, const WalkSettings& settings, Arrivals& arrivals)
 {
-  if constexpr (LetsLightThrough(Kind))
+  if constexpr (LetsLightThrough(WalkKind))
   {
     if (!front && settings.materials.roulettes[settings.materials.ofFacet[hit.facet]].translucent)
     {
@@ -146,13 +134,13 @@ template <class OnHit>
 /// corners of the facet count.
 /// @param arrivals By lamp.
 /// @return Whether it goes on.
-template <Walk Kind, class OnHit>
+template <Walk WalkKind, class OnHit>
 bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, const OnHit& onHit,
   PhotonBalance& balance, Arrivals* arrivals)
 {
   ++balance.segments;
-  bool underWay =
-    Kind == Walk::Ends || (LetsLightThrough(Kind) ? !photon.origin.arrived : photon.order == 0);
+  bool underWay = WalkKind == Walk::Ends ||
+    (LetsLightThrough(WalkKind) ? !photon.origin.arrived : photon.order == 0);
   if (!hit)
   {
     ++balance.escaped;
@@ -178,8 +166,8 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
   }
   if (underWay)
   {
-    underWay = !CountArrival<Kind>(hit, front, settings, arrivals[photon.origin.lamp]);
-    if constexpr (LetsLightThrough(Kind))
+    underWay = !CountArrival<WalkKind>(hit, front, settings, arrivals[photon.origin.lamp]);
+    if constexpr (LetsLightThrough(WalkKind))
     {
       photon.origin.arrived = !underWay;
     }
@@ -187,20 +175,20 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
   // Beyond here only walks that let light through have photons that have not arrived.
   [[maybe_unused]] const auto countEnd = [&](std::uint64_t Arrivals::*end)
   {
-    if (LetsLightThrough(Kind) && underWay)
+    if (LetsLightThrough(WalkKind) && underWay)
     {
       ++(arrivals[photon.origin.lamp].*end);
     }
   };
 
-  if constexpr (Kind == Walk::Ends)
+  if constexpr (WalkKind == Walk::Ends)
   {
     ++balance.absorbed;
     return false;
   }
   else
   {
-    const Departure departure = Depart<Kind>(photon, ray, hit, front, settings);
+    const Departure departure = Depart<WalkKind>(photon, ray, hit, front, settings);
     if (departure.absorbed)
     {
       ++balance.absorbed;
@@ -214,7 +202,7 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
       ++balance.switchedOff[static_cast<unsigned>(departure.how)];
       return false;
     }
-    if (++photon.order >= settings.longestPath)
+    if (++photon.order >= settings.maximumPathLength)
     {
       ++balance.cutOff;
       countEnd(&Arrivals::cutOff);
@@ -233,7 +221,7 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
 /// They are followed many at a time, for two reasons: Embree takes rays in packets, and the memory
 /// that one photon waits for arrives while others are traced. Sums do not depend on the order.
 /// @param arrivals By lamp.
-template <Walk Kind, class OnHit>
+template <Walk WalkKind, class OnHit>
 void WalkPhotons(const WalkSettings& settings, std::uint64_t first, std::uint64_t last,
   const OnHit& onHit, PhotonBalance& balance, Arrivals* arrivals)
 {
@@ -266,7 +254,7 @@ void WalkPhotons(const WalkSettings& settings, std::uint64_t first, std::uint64_
     std::size_t stillFlying = 0;
     for (std::size_t i = 0; i < flying; ++i)
     {
-      if (Arrive<Kind>(photons[i], rays[i], hits[i], settings, onHit, balance, arrivals))
+      if (Arrive<WalkKind>(photons[i], rays[i], hits[i], settings, onHit, balance, arrivals))
       {
         photons[stillFlying] = photons[i];
         rays[stillFlying++] = rays[i];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PhotonTransport/materials/Scattering.h"
+#include "PhotonTransport/materials/ScatteringSet.h"
 
 #include <array>
 #include <cstdint>

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+
+namespace PhotonTransport
+{
+
+/// A ray in the scene's coordinates.
+struct Ray
+{
+  glm::vec3 origin;
+  glm::vec3 direction; ///< Unit length.
+};
+
+constexpr std::uint32_t NoFacet = 0xffffffffu;
+constexpr std::uint32_t NoPart = 0xffffffffu;
+/// Stands for no part of a facet that has others in its place: rays start clear of these, and by
+/// Hit::inPart.x more (Scene::SafeOrigin).
+constexpr std::uint32_t NoPartButLifted = 0xfffffffeu;
+
+/// The first facet along a ray.
+struct Hit
+{
+  std::uint32_t facet = NoFacet;
+  glm::vec3 barycentric{ 0.0f }; ///< Of the facet's three corners; in [0, 1], sum 1.
+  /// Of the facet, where it is traced in parts: the place in it tells the point more finely.
+  std::uint32_t part = NoPart;
+  glm::vec3 inPart{ 0.0f }; ///< Barycentric coordinates of the part.
+
+  explicit operator bool() const { return this->facet != NoFacet; }
+};
+
+} // namespace PhotonTransport

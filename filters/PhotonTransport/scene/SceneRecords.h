@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace PhotonTransport
+{
+
+/// How far a ray starts above its facet, relative to the reach of its point (Scene::Reach): 32
+/// units in the last place of a coordinate as large as that. A start is rounded once, by half such
+/// a unit, and Embree's distances to facets err by a few units of the facets' extent, which parts
+/// keep within three times the reach (Waechter and Binder, "A Fast and Robust Method for
+/// Avoiding Self-Intersection", Ray Tracing Gems, 2019, measure the same errors and add a wide
+/// reserve).
+constexpr float OriginOffset = 0x1p-19f;
+
+/// How far from the facet's edges a ray starts, in offsets. A start lifted off one wall of an acute
+/// corner would land behind the other wall if it were closer than offset * cot(angle): 4 serves
+/// down to 14 degrees, where the plain offset lets rays out.
+constexpr float EdgeClearance = 4.0f;
+
+/// What the walk needs of a facet, in one half of a cache line.
+struct alignas(32) Facet
+{
+  glm::uvec3 vertices;
+  float reflectance; ///< Diffuse, luminous.
+  glm::vec3 normal;  ///< Unit, on the side of the vertex normals (the front).
+  /// Least barycentric coordinate at which a ray may start, for each unit of its offset; see
+  /// SafeOrigin.
+  float marginPerOffset;
+};
+
+/// What registration and reflection need of a vertex. Areas are in scene units.
+struct alignas(64) Vertex
+{
+  glm::vec3 position;
+  glm::vec3 normal; ///< Unit, as given, or the ring's where none of use was given.
+  /// Mean area vector over area, (1/3 sum a_f) / (1/3 sum |a_f|), over the ring.
+  glm::vec3 shownArea;
+  /// Sine of the largest angle between the normal and the ring's facet normals; 2 where that is
+  /// 90 degrees or more, and below 0 for a ring as flat as its normal, which needs no compensation.
+  /// Light with -w.n >= sinTilt meets every facet of the ring from the front.
+  float sinTilt;
+  float inverseThreeAreas; ///< 1 / sum |a_f|; 0 for a vertex without a facet.
+
+  /// Its registration is Flat's, whatever the kind.
+  bool IsFlat() const { return this->sinTilt < 0.0f; }
+};
+
+/// Area vectors of four facets of a ring, by component, so that four cosines are one operation;
+/// unused places are zero.
+struct alignas(16) RingAreas
+{
+  float x[4], y[4], z[4];
+};
+
+} // namespace PhotonTransport
