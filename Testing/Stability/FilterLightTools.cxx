@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterLightTools.h"
 
+#include "OutputData.h"
+
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 
@@ -115,7 +116,7 @@ std::vector<LightArrays> FilterLightTest::Light(vtkDataObject* input, int warnin
 
 double FilterLightTest::FieldValue(const char* name)
 {
-  return this->Filter->GetOutputDataObject(0)->GetFieldData()->GetArray(name)->GetTuple1(0);
+  return ::FieldValue(this->Filter->GetOutputDataObject(0), name);
 }
 
 void FilterLightTest::ExpectLightOf(
