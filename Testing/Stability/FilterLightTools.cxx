@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterLightTools.h"
 
-#include "OutputData.h"
-
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkPlaneSource.h"

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTools.h"
 
-#include "OutputData.h"
-
 #include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkSphereSource.h"
-#include "vtkVariant.h"
 
 #include <cmath>
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Messages.h"
+#include "OutputData.h"
 
 #include "vtkIlluminationMap.h"
 
