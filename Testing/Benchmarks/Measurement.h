@@ -163,8 +163,10 @@ inline std::vector<Segment> RecordSegments(const PhotonTransport::Scene& scene,
   }
   const PhotonTransport::WalkSettings walk{ scene, materials, emitter, key,
     settings.maximumPathLength, effects.simulated };
-  const auto record = materials.roulettes.empty() ? RecordPhoton<PhotonTransport::Walk::Diffuse>
-                                                  : RecordPhoton<PhotonTransport::Walk::General>;
+  const auto record = effects.present == SetOf(PhotonTransport::Scattering::DiffuseReflection) &&
+      !effects.colouredFacets
+    ? RecordPhoton<PhotonTransport::Walk::Diffuse>
+    : RecordPhoton<PhotonTransport::Walk::General>;
   std::vector<Segment> segments;
   PhotonTransport::PhotonSample sample(key, 0);
   for (std::uint64_t photon = 0; photon < photons; ++photon, sample.Advance())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFile.h"
 
+#include <map>
 #include <stdexcept>
 
 #ifdef ILLUMINATION_BENCHMARKS_READ_VTP
@@ -41,13 +42,20 @@ PhotonTransport::Surface ReadMesh(const std::string& fileName)
   }
   vtkDataArray* reflectance = mesh->GetCellData()->GetArray("Reflectance");
   vtkDataArray* exitance = mesh->GetCellData()->GetArray("Exitance");
+  std::map<float, std::uint32_t> materials;
   vtkNew<vtkIdList> corners;
   for (vtkIdType f = 0; f < mesh->GetNumberOfPolys(); ++f)
   {
     mesh->GetPolys()->GetCellAtId(f, corners);
     surface.facets.emplace_back(corners->GetId(0), corners->GetId(1), corners->GetId(2));
-    surface.reflectance.push_back(
-      reflectance ? static_cast<float>(reflectance->GetComponent(f, 0)) : 0.5f);
+    const float share = reflectance ? static_cast<float>(reflectance->GetComponent(f, 0)) : 0.5f;
+    const auto [known, isNew] =
+      materials.emplace(share, static_cast<std::uint32_t>(materials.size()));
+    if (isNew)
+    {
+      surface.materials.emplace_back().diffuseReflectance = PhotonTransport::Colour(share);
+    }
+    surface.materialOfFacet.push_back(known->second);
     if (exitance)
     {
       surface.exitance.push_back(static_cast<float>(exitance->GetComponent(f, 0)));

@@ -133,7 +133,6 @@ TEST(Arrivals, GlassBodyLetsItsLightOut)
   Material glass;
   glass.clearTransmittance = Colour(1.0f);
   glass.solid = true;
-  surface.reflectance.clear();
   surface.materials = { wall, glass };
   surface.materialOfFacet.assign(walls, 0);
   surface.materialOfFacet.resize(surface.facets.size(), 1);

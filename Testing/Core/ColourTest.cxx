@@ -25,7 +25,7 @@ constexpr double Weights[3] = { 0.2126, 0.7152, 0.0722 };
 Surface ClosedRoom(const Colour& reflectance)
 {
   Surface room = Shapes::Box(glm::dvec3(-1.0), glm::dvec3(1.0), 2, Facing::Inward);
-  room.materials.resize(1);
+  room.materials.assign(1, {});
   room.materials[0].diffuseReflectance = reflectance;
   room.materialOfFacet.assign(room.facets.size(), 0);
   return room;

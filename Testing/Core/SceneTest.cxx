@@ -45,14 +45,25 @@ void ExpectRefused(const std::function<void(Surface&)>& spoil, Where where, std:
 
 TEST(Scene, RefusesBadInputByPlaceAndValue)
 {
-  ExpectRefused(
-    [](Surface& s) { s.facets.clear(), s.reflectance.clear(); }, Where::Surface, 0, "no triangles");
+  ExpectRefused([](Surface& s) { s.facets.clear(), s.materialOfFacet.clear(); }, Where::Surface, 0,
+    "no triangles");
   ExpectRefused([](Surface& s) { s.normals.pop_back(); }, Where::Surface, 0, "11 normals for 12");
-  ExpectRefused(
-    [](Surface& s) { s.reflectance.pop_back(); }, Where::Surface, 0, "19 reflectances for 20");
-  ExpectRefused([](Surface& s) { s.reflectance[4] = 1.25f; }, Where::Facet, 4, "1.25");
-  ExpectRefused([](Surface& s) { s.reflectance[5] = -0.5f; }, Where::Facet, 5, "-0.5");
-  ExpectRefused([](Surface& s) { s.reflectance[6] = NaN; }, Where::Facet, 6, "nan");
+  ExpectRefused([](Surface& s) { s.materialOfFacet.pop_back(); }, Where::Surface, 0,
+    "19 indices of materials for 20");
+  const auto expectReflectanceRefused = [](float value, std::size_t facet, const char* text)
+  {
+    ExpectRefused(
+      [=](Surface& s)
+      {
+        s.materials.resize(s.materials.size() + 1);
+        s.materials.back().diffuseReflectance = Colour(value);
+        s.materialOfFacet[facet] = static_cast<std::uint32_t>(s.materials.size() - 1);
+      },
+      Where::Facet, facet, text);
+  };
+  expectReflectanceRefused(1.25f, 4, "1.25");
+  expectReflectanceRefused(-0.5f, 5, "-0.5");
+  expectReflectanceRefused(NaN, 6, "nan");
   ExpectRefused([](Surface& s) { s.points[7].y = NaN; }, Where::Point, 7, "not finite");
   ExpectRefused([](Surface& s) { s.facets[8].z = 12; }, Where::Facet, 8, "point 12 of 12");
   ExpectRefused([](Surface& s) { s.exitance.assign(3, 1.0f); }, Where::Surface, 0, "3 exitances");
@@ -105,7 +116,7 @@ TEST(Scene, DropsFacetsWithoutArea)
   Surface surface = Shapes::Icosphere(1, Shapes::Facing::Outward);
   const std::size_t facets = surface.facets.size();
   surface.facets.push_back({ 0, 0, 1 });
-  surface.reflectance.push_back(0.5f);
+  surface.materialOfFacet.push_back(0);
   const Scene scene(surface);
   EXPECT_EQ(scene.Notes().droppedFacets, 1u);
   EXPECT_EQ(scene.Facets().size(), facets);
@@ -191,7 +202,7 @@ TEST(Scene, TakesTheFrontOfTwoSheetsInOnePlace)
   sheets.normals = { { 0, 0, -1 }, { 0, 0, -1 }, { 0, 0, -1 }, { 0, 0, 1 }, { 0, 0, 1 },
     { 0, 0, 1 } };
   sheets.facets = { { 0, 1, 2 }, { 3, 4, 5 } };
-  sheets.reflectance = { 0.0f, 0.0f };
+  sheets = Shapes::WithReflectance(sheets, 0.0f);
   const Scene scene(sheets);
   const Ray down{ { 0.0f, 0.0f, 1.0f }, { 0.0f, 0.0f, -1.0f } };
   Hit onBack{ 0, { 0.5f, 0.25f, 0.25f } };

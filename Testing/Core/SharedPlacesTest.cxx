@@ -132,7 +132,7 @@ TEST(SharedPlaces, OneCopyOfAFacetLeavesItsPointsAsTheyAre)
       }
     }
     surface.facets.emplace_back(copy.z, copy.x, copy.y);
-    surface.reflectance.push_back(0.0f);
+    surface.materialOfFacet.push_back(0);
     const Lit lit(surface);
     lit.ExpectWholeLight();
     EXPECT_EQ(lit.scene.Notes().sharedPlaces.copies.facets, 1u);

@@ -146,7 +146,9 @@ TEST(Transport, WalkWithoutBouncesGivesTheSameBits)
 {
   const Scene black(Room(0.0f));
   Surface almostBlack = Room(0.0f);
-  almostBlack.reflectance[0] = 1e-30f; // calls for the general walk, reflects nothing
+  almostBlack.materials.resize(2);
+  almostBlack.materials[1].diffuseReflectance = Colour(1e-30f); // reflects nothing
+  almostBlack.materialOfFacet[0] = 1;                           // but calls for the general walk
   const Scene general(almostBlack);
   PhotonTracer special(black, RoomLamp, TraceSettings());
   PhotonTracer full(general, RoomLamp, TraceSettings());

@@ -25,7 +25,8 @@ struct PointAndNormal
 
 void FinishFacets(Surface& surface)
 {
-  surface.reflectance.assign(surface.facets.size(), 0.0f);
+  surface.materials.resize(1); // black
+  surface.materialOfFacet.assign(surface.facets.size(), 0);
 }
 
 Surface Faced(Surface surface, Facing facing)
@@ -297,7 +298,12 @@ Surface Together(Surface a, const Surface& b)
   }
   a.points.insert(a.points.end(), b.points.begin(), b.points.end());
   a.normals.insert(a.normals.end(), b.normals.begin(), b.normals.end());
-  a.reflectance.insert(a.reflectance.end(), b.reflectance.begin(), b.reflectance.end());
+  const auto firstMaterial = static_cast<std::uint32_t>(a.materials.size());
+  a.materials.insert(a.materials.end(), b.materials.begin(), b.materials.end());
+  for (const std::uint32_t material : b.materialOfFacet)
+  {
+    a.materialOfFacet.push_back(firstMaterial + material);
+  }
   for (const glm::uvec3& facet : b.facets)
   {
     a.facets.push_back(facet + offset);
@@ -307,7 +313,10 @@ Surface Together(Surface a, const Surface& b)
 
 Surface WithReflectance(Surface surface, float reflectance)
 {
-  surface.reflectance.assign(surface.facets.size(), reflectance);
+  PhotonTransport::Material material;
+  material.diffuseReflectance = PhotonTransport::Colour(reflectance);
+  surface.materials = { material };
+  surface.materialOfFacet.assign(surface.facets.size(), 0);
   return surface;
 }
 

@@ -247,7 +247,7 @@ Surface Between(bool glass)
   all = Shapes::Together(all, Shapes::Rectangle({ -9, -9, -0.5 }, { 18, 0, 0 }, { 0, 18, 0 }, 4));
   if (glass)
   {
-    all.materials.resize(2);
+    all.materials.assign(2, {});
     all.materials[0].clearTransmittance = Colour(1.0f);
     all.materialOfFacet.assign(all.facets.size(), 1);
     std::fill_n(all.materialOfFacet.begin(), middle, 0u);

@@ -190,7 +190,7 @@ TEST(LargeSite, GapsThatAreTooThinAreTold)
     Surface all = Shapes::Together(pane(-half), pane(half - 1.0));
     const std::size_t panes = all.facets.size();
     all = Shapes::Together(all, Terrain(site));
-    all.materials.resize(2);
+    all.materials.assign(2, {});
     all.materials[0].clearTransmittance = Colour(1.0f);
     all.materials[0].solid = true;
     all.materialOfFacet.assign(all.facets.size(), 1);

@@ -42,7 +42,7 @@ TEST_P(Case1, GrazingLightOnAPlaneAndOnATiltedFacet)
 {
   Shapes::Surface facet = Plane(1);
   facet.facets.resize(1);
-  facet.reflectance.resize(1);
+  facet.materialOfFacet.resize(1);
   struct Flat
   {
     Shapes::Surface surface;

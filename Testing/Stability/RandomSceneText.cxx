@@ -113,8 +113,7 @@ std::ostream& operator<<(std::ostream& out, const RandomScene& scene)
   for (std::size_t f = 0; f < surface.facets.size(); ++f)
   {
     const glm::uvec3& ids = surface.facets[f];
-    out << "\n  facet " << ids.x << ' ' << ids.y << ' ' << ids.z << " reflectance "
-        << surface.reflectance[f];
+    out << "\n  facet " << ids.x << ' ' << ids.y << ' ' << ids.z;
     if (f < surface.materialOfFacet.size())
     {
       out << " material " << surface.materialOfFacet[f];

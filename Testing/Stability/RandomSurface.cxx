@@ -66,18 +66,21 @@ Material DrawMaterial()
 
 void DrawLightOfFacets(Surface& surface, bool emits)
 {
-  const int materials = OneIn(3) ? 0 : 1 + Below(4);
+  const bool plain = OneIn(3); // no more than a reflectance
+  const int materials = 1 + Below(4);
   for (int m = 0; m < materials; ++m)
   {
-    surface.materials.push_back(DrawMaterial());
+    surface.materials.push_back(plain ? Material() : DrawMaterial());
+    if (plain)
+    {
+      surface.materials.back().diffuseReflectance = Colour(
+        OneOf({ 0.0f, 0.5f, 0.95f, 0.999f, 1.0f, static_cast<float>(std::fabs(Anywhere())) }));
+    }
   }
   const bool coloured = emits && OneIn(2);
   for (std::size_t f = 0; f < surface.facets.size(); ++f)
   {
-    if (materials > 0)
-    {
-      surface.materialOfFacet.push_back(static_cast<std::uint32_t>(Below(materials)));
-    }
+    surface.materialOfFacet.push_back(static_cast<std::uint32_t>(Below(materials)));
     if (coloured)
     {
       surface.exitanceColour.emplace_back(
@@ -100,20 +103,20 @@ void SpoilMaterial(RandomScene& scene, std::size_t facet)
   {
     case 0:
       material.glossyReflectance.y = bad;
-      scene.mistake = "glossy reflectance";
+      scene.mistake = "GlossyReflectance";
       break;
     case 1:
       material.roughness = OneIn(2) ? 0.0f : bad;
-      scene.mistake = "roughness";
+      scene.mistake = "Roughness";
       break;
     case 2:
       material.refractiveIndex = OneIn(2) ? 0.999f : bad;
-      scene.mistake = "refractive index";
+      scene.mistake = "RefractiveIndex";
       break;
     case 3:
       material.diffuseReflectance = Colour(0.0f, 0.6f, 0.0f);
       material.clearTransmittance = Colour(0.0f, 0.4001f, 0.0f);
-      scene.mistake = "more than 1";
+      scene.mistake = "must not exceed 1";
       break;
     default:
       surface.materialOfFacet[facet] = OneIn(2) ? 3 : 0xffffffffu;
@@ -141,8 +144,6 @@ Surface DrawSurface(const Site& site)
     const int b = (a + (OneIn(16) ? 0 : 1 + Below(points - 1))) % points;
     const int c = Below(points);
     surface.facets.emplace_back(a, b, c);
-    surface.reflectance.push_back(
-      OneOf({ 0.0f, 0.5f, 0.95f, 0.999f, 1.0f, static_cast<float>(std::fabs(Anywhere())) }));
     if (emits)
     {
       surface.exitance.push_back(OneOf({ 0.0f, 1e-12f, 100.0f, 1e12f }));
@@ -168,10 +169,10 @@ void SpoilSurface(RandomScene& scene)
       scene.mistake = "are not finite";
       break;
     case 2:
-      surface.materials.clear();
-      surface.reflectance[f] =
-        static_cast<float>(OneOf({ NoNumber, Infinity, -1e-9, 1.0000001, 2.0 }));
-      scene.mistake = "is outside [0, 1]";
+      surface.materialOfFacet[f] = static_cast<std::uint32_t>(surface.materials.size());
+      surface.materials.emplace_back().diffuseReflectance =
+        Colour(static_cast<float>(OneOf({ NoNumber, Infinity, -1e-9, 1.0000001, 2.0 })));
+      scene.mistake = "it must be within [0, 1]";
       break;
     case 3:
       surface.exitance.assign(surface.facets.size(), 1.0f);

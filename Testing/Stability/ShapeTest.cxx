@@ -123,7 +123,7 @@ TEST_P(Case2, ANeedleFanAndASharedCorner)
   surface.normals.push_back({ 1.0, 1.0, 1.0 });
   surface.facets.emplace_back(0, 1, Around + 1);
   surface.facets.emplace_back(0, Around + 1, 300);
-  surface.reflectance.assign(surface.facets.size(), 0.5f);
+  surface = Shapes::WithReflectance(surface, 0.5f);
   const TracedMap run(surface, Sun, GetParam().Settings(), Photons);
   Report("a vertex of 1000 needles that a sharp edge shares", "a sound map");
 }

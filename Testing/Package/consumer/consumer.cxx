@@ -26,7 +26,9 @@ double MeanByCore()
   surface.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
   surface.normals.assign(3, { 0, 0, 1 });
   surface.facets = { { 0, 1, 2 } };
-  surface.reflectance = { 0.5F };
+  surface.materials.resize(1);
+  surface.materials[0].diffuseReflectance = PhotonTransport::Colour(0.5F);
+  surface.materialOfFacet = { 0 };
   const PhotonTransport::Scene scene(surface);
   const PhotonTransport::ParallelLight light{ { 0, 0, -1 }, 100.0 };
   PhotonTransport::IlluminationRun run(scene, light, {});

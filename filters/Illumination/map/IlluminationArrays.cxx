@@ -245,7 +245,7 @@ std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTranspor
   if (blocks.BlocksNotPolygonal() > 0)
   {
     notes.push_back(std::to_string(blocks.BlocksNotPolygonal()) +
-      " blocks are not polygonal and were passed through unlit");
+      " blocks are not polygonal: they were passed through unlit and cast no shadow");
   }
   for (const SceneBlock& block : blocks.Blocks())
   {

@@ -3,6 +3,7 @@
 
 #include "PhotonTransport/filtration/GroupStatistics.h"
 #include "PhotonTransport/filtration/PhotonNoise.h"
+#include "PhotonTransport/filtration/ScaleSelection.h"
 
 #include <cstdint>
 #include <vector>
@@ -14,7 +15,7 @@ namespace PhotonTransport
 struct SmoothedMap
 {
   const GroupColumns& before;
-  const GroupColumns& after;
+  const Selection& after;
   const PhotonNoise& photons;
   const std::vector<std::uint8_t>& dark; ///< Marks (1) dark regions; or empty.
 };

@@ -230,8 +230,7 @@ FilteredMap FiltratePart(const NoisyMap& part, const Whole& whole,
     ? SmoothEvenly(graph, map, settings.width, monitor)
     : Unchanged(map);
   FilteredMap result{ part.values,
-    ExpectedSquaredError(graph, { map, selection.groups, photons, dark }, monitor),
-    selection.width };
+    ExpectedSquaredError(graph, { map, selection, photons, dark }, monitor), selection.width };
   std::transform(result.values.begin(), result.values.end(), selection.change.begin(),
     result.values.begin(), std::plus<>());
   Conserve(whole.graph, part.values, result.values);

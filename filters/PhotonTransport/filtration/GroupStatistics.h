@@ -11,8 +11,9 @@
 namespace PhotonTransport
 {
 
-/// A value of a map as independent estimates with one mean, in single precision, and such a map.
+/// Independent estimates of one value of a map, in single precision.
 using Group = std::array<float, Groups>;
+/// A map of such values.
 using GroupColumns = Columns<Groups>;
 
 inline double Square(double x)

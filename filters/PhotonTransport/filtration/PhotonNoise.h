@@ -8,9 +8,9 @@
 namespace PhotonTransport
 {
 
-/// What Poisson's law says of the noise at each vertex: which noise a value has that so many
-/// photons make, however few of them came. It knows the scale of a photon where the groups, with
-/// three degrees of freedom, know little, and where no photon came, nothing.
+/// The noise at each vertex by Poisson's law, from the illuminance that one photon makes there.
+/// Group means have three degrees of freedom: they tell little of that scale, and nothing where no
+/// photon came.
 class PhotonNoise
 {
 public:

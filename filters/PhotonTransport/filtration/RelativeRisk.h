@@ -18,9 +18,10 @@ inline bool Admits(const Admission& admission, std::size_t candidate, std::size_
   return (admission[v] >> candidate & 1u) != 0;
 }
 
-/// Admits the candidates whose squared error *relative to the light at the vertex* is near the
-/// least. A width that is right in lx^2 for bright vertices, since it saves much of their noise,
-/// can bring the dim ones among them many times their own light; their relative error sees that.
+/// Admits the candidates whose expected squared error, weighed by the light at the vertex to the
+/// power -3/2, is near the least. A width that is right in lx^2 for bright vertices, since it saves
+/// much of their noise, can bring the dim ones among them many times their own light; the weight
+/// shows that.
 /// @param strength See SelectionSettings.
 Admission AdmitByRelativeRisk(const SmoothingGraph& graph, const CandidateMaps& candidates,
   const PhotonNoise& photons, double strength, const FiltrationMonitor& monitor);

@@ -114,9 +114,8 @@ void Scene::AddFacets(const Surface& surface, const std::vector<glm::vec3>& posi
     {
       this->Found.undecidedFacets.Add(f);
     }
-    const float reflectance = surface.materials.empty()
-      ? surface.reflectance[f]
-      : Luminous(surface.materials[surface.materialOfFacet[f]].diffuseReflectance);
+    const float reflectance =
+      Luminous(surface.materials[surface.materialOfFacet[f]].diffuseReflectance);
     this->FacetRecords.push_back(
       { ids, reflectance, glm::vec3(areaVector / area), MarginPerOffset(a, b, c, area) });
     this->FacetAreas.emplace_back(areaVector);
@@ -132,10 +131,7 @@ void Scene::AddFacets(const Surface& surface, const std::vector<glm::vec3>& posi
 
 void Scene::AddFacetLight(const Surface& surface, std::size_t facet)
 {
-  if (!surface.materials.empty())
-  {
-    this->FacetMaterial.push_back(surface.materialOfFacet[facet]);
-  }
+  this->FacetMaterial.push_back(surface.materialOfFacet[facet]);
   if (!surface.exitance.empty())
   {
     this->FacetExitance.push_back(surface.exitance[facet]);
@@ -154,15 +150,12 @@ void Scene::CountScatterings()
     this->FacetMaterials.begin(), this->FacetMaterials.end(), ways.begin(), ScatteringsOf);
   for (std::size_t f = 0; f < this->FacetRecords.size(); ++f)
   {
-    const bool diffuse = this->FacetRecords[f].reflectance > 0.0f;
-    const ScatteringSet set = ways.empty() ? (diffuse ? SetOf(Scattering::DiffuseReflection) : 0u)
-                                           : ways[this->FacetMaterial[f]];
+    const ScatteringSet set = ways[this->FacetMaterial[f]];
     for (unsigned s = 0; s < Scatterings; ++s)
     {
       this->Found.scatteringFacets[s] += (set >> s) & 1u;
     }
-    const bool coloured =
-      (!ways.empty() && IsColoured(this->FacetMaterials[this->FacetMaterial[f]])) ||
+    const bool coloured = IsColoured(this->FacetMaterials[this->FacetMaterial[f]]) ||
       (!this->FacetExitanceColour.empty() && !IsGrey(this->FacetExitanceColour[f]));
     this->Found.colouredFacets += coloured;
   }

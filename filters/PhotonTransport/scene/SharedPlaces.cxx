@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/SharedPlaces.h"
 
+#include "PhotonTransport/materials/MaterialProperties.h"
 #include "PhotonTransport/scene/DoubleSheets.h"
 #include "PhotonTransport/scene/OverlappingFacets.h"
 #include "PhotonTransport/scene/ParallelFor.h"
@@ -103,10 +104,10 @@ void Scene::MarkSharedPlace(
       mark(notes.shineToo, ShinesToo, 0);
     }
   }
-  const bool alike = this->FacetMaterial.empty()
-    ? this->FacetRecords[first].reflectance == this->FacetRecords[second].reflectance
-    : this->FacetMaterial[first] == this->FacetMaterial[second];
-  if (!alike)
+  const auto material = [&](std::uint32_t facet)
+  { return ValuesOf(this->FacetMaterials[this->FacetMaterial[facet]]); };
+  if (this->FacetMaterial[first] != this->FacetMaterial[second] &&
+    material(first) != material(second))
   {
     mark(notes.unlikeMaterials, UnlikeMaterials, 0);
   }

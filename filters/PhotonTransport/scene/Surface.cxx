@@ -55,14 +55,7 @@ void ValidateSizes(const Surface& surface)
       Refuse(Where::Surface, 0, "there are ", count, " ", what, " for ", facets, " triangles");
     }
   };
-  if (surface.materials.empty())
-  {
-    requireOneEach(surface.reflectance.size(), "reflectances");
-  }
-  else
-  {
-    requireOneEach(surface.materialOfFacet.size(), "indices of materials");
-  }
+  requireOneEach(surface.materialOfFacet.size(), "indices of materials");
   requireOneEach(surface.exitance.empty() ? facets : surface.exitance.size(), "exitances");
   requireOneEach(
     surface.exitanceColour.empty() ? facets : surface.exitanceColour.size(), "exitance colours");
@@ -77,15 +70,6 @@ void ValidateSizes(const Surface& surface)
 void ValidateMaterial(
   const Surface& surface, std::size_t f, const std::vector<std::string>& problems)
 {
-  if (surface.materials.empty())
-  {
-    const float reflectance = surface.reflectance[f];
-    if (!(reflectance >= 0.0f && reflectance <= 1.0f)) // NaN too
-    {
-      Refuse(Where::Facet, f, "reflectance ", reflectance, " is outside [0, 1]");
-    }
-    return;
-  }
   const std::uint32_t material = surface.materialOfFacet[f];
   if (material >= surface.materials.size())
   {

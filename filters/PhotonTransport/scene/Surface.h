@@ -17,11 +17,8 @@ struct Surface
   std::vector<glm::dvec3> points;  ///< In the data's length unit; finite where a facet uses them.
   std::vector<glm::dvec3> normals; ///< One a point, any length; they say which side is the front.
   std::vector<glm::uvec3> facets;  ///< Point indices.
-  /// Diffuse reflectance, one a facet, in [0, 1], the same on both sides, for surfaces that do
-  /// nothing else with light. Not used where there are materials.
-  std::vector<float> reflectance;
-  std::vector<Material> materials;            ///< Empty if `reflectance` says it all.
-  std::vector<std::uint32_t> materialOfFacet; ///< Index, one a facet, where there are materials.
+  std::vector<Material> materials; ///< What facets do with light, on both sides alike.
+  std::vector<std::uint32_t> materialOfFacet; ///< One a facet: which of the materials.
   std::vector<float> exitance;        ///< lm/m^2 from the front, one a facet, >= 0; or empty.
   std::vector<Colour> exitanceColour; ///< Its colour, in any scale, >= 0, one a facet; empty: grey.
   double metresPerUnit = 1.0;         ///< > 0, finite.

@@ -62,14 +62,13 @@ private:
   bool LetsLightThrough(std::uint32_t facet) const
   {
     const Scene& scene = this->Surroundings;
-    return !scene.Materials().empty() &&
-      (ScatteringsOf(scene.Materials()[scene.MaterialOfFacet()[facet]]) & Transmissions) != 0;
+    return (ScatteringsOf(scene.Materials()[scene.MaterialOfFacet()[facet]]) & Transmissions) != 0;
   }
 
   bool IsSolid(std::uint32_t facet) const
   {
     const Scene& scene = this->Surroundings;
-    return !scene.Materials().empty() && scene.Materials()[scene.MaterialOfFacet()[facet]].solid;
+    return scene.Materials()[scene.MaterialOfFacet()[facet]].solid;
   }
 
   void Add(std::uint32_t f, bool front)

@@ -71,7 +71,7 @@ void Validate(const StopRules& rules)
   if (!(rules.seconds >= 0.0) || !std::isfinite(rules.seconds))
   {
     RefuseRule(
-      "the time limit is " + std::to_string(rules.seconds) + " s; it must be 0 (none) or more");
+      "the time limit is " + std::to_string(rules.seconds) + " s; it must be 0 (none) or more, and finite");
   }
 }
 

@@ -86,9 +86,9 @@ std::uint64_t MemoryNeed(
   const auto threads = static_cast<std::uint64_t>(
     settings.threads > 0 ? settings.threads : tbb::info::default_concurrency());
   const std::uint64_t sumsPerVertex = (settings.replicates + threads) * sides * sizeof(VertexSums);
-  // Whether there is colour is known only once the facets have been looked at.
   const bool colour = settings.colour &&
-    (!surface.materials.empty() || !surface.exitanceColour.empty() ||
+    (std::any_of(surface.materials.begin(), surface.materials.end(), IsColoured) ||
+      !surface.exitanceColour.empty() ||
       std::any_of(lighting.luminaires.begin(), lighting.luminaires.end(),
         [](const Luminaire& luminaire) { return !IsGrey(luminaire.colour); }));
   const std::uint64_t lamps = settings.lampsApart ? lighting.luminaires.size() : 0;

@@ -117,22 +117,6 @@ FacetRoulettes MakeRoulettes(const Scene& scene, Walk way, bool colour)
   {
     made.roulettes.push_back(MakeRoulette(material, colour));
   }
-  if (scene.Materials().empty())
-  {
-    std::map<float, std::uint32_t> known;
-    for (const Facet& facet : scene.Facets())
-    {
-      const auto next = static_cast<std::uint32_t>(made.roulettes.size());
-      const auto [place, isNew] = known.emplace(facet.reflectance, next);
-      if (isNew)
-      {
-        Material material;
-        material.diffuseReflectance = Colour(facet.reflectance);
-        made.roulettes.push_back(MakeRoulette(material, colour));
-      }
-      made.ofFacet.push_back(place->second);
-    }
-  }
   return made;
 }
 
