@@ -4,6 +4,10 @@
 #include "Illumination/luminaires/LampPlace.h"
 #include "Illumination/map/SceneBlocks.h"
 
+#include "PhotonTransport/scene/FacetSide.h"
+
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -57,10 +61,29 @@ bool HasNoBoundary(const PhotonTransport::Surface& surface)
   return true;
 }
 
+/// Whether the fronts of a surface without a boundary look inward, as those of a room do and those
+/// of bodies in the open do not: the volume inside is then less than 0.
+bool LooksInward(const PhotonTransport::Surface& surface)
+{
+  const glm::dvec3& origin = surface.points[surface.facets.front().x];
+  double volume = 0.0;
+  for (const glm::uvec3& facet : surface.facets)
+  {
+    const glm::dvec3 a = surface.points[facet.x] - origin;
+    const glm::dvec3 b = surface.points[facet.y] - origin;
+    const glm::dvec3 c = surface.points[facet.z] - origin;
+    const glm::dvec3 area = glm::cross(b - a, c - a);
+    const PhotonTransport::FacetSide side = PhotonTransport::SideOf(
+      area, { surface.normals[facet.x], surface.normals[facet.y], surface.normals[facet.z] });
+    volume += (side.turned ? -1.0 : 1.0) * glm::dot(a, area);
+  }
+  return volume < 0.0;
+}
+
 /// Whether the surface is closed, so that fronts see nothing but the surface: less than one in a
 /// thousand of at least a thousand scattered photons left the scene. From those that left, the
 /// photons are subtracted that missed the surface or first arrived on a back. Where fewer photons
-/// are scattered, the surface is closed if it has no boundary.
+/// are scattered, the surface is closed if it has no boundary and its fronts look inward.
 bool IsClosed(const TracedScene& traced)
 {
   const PhotonTransport::PhotonBalance balance = traced.run.Balance();
@@ -72,8 +95,9 @@ bool IsClosed(const TracedScene& traced)
   const std::uint64_t scattered = balance.segments - balance.emitted;
   const std::uint64_t escaped = balance.escaped - std::min(balance.escaped, fromOutside);
   constexpr std::uint64_t Enough = 1000;
+  const PhotonTransport::Surface& surface = traced.blocks.Surface();
   return scattered >= Enough ? escaped * Enough < scattered
-                             : HasNoBoundary(traced.blocks.Surface());
+                             : LooksInward(surface) && HasNoBoundary(surface);
 }
 
 Loss LossFromOutside(const Arrivals& light, const SceneAround& around)

@@ -19,7 +19,7 @@ class vtkFieldData;
 /// a table may lose 98 %. So there is a warning only if more than 99 % of a lamp's light left the
 /// scene, or, if the surface is closed, if more than 10 % left it or fell on backs. It is taken to
 /// be closed if of 1000 or more scattered photons less than 1 in 1000 left the scene, and with
-/// fewer photons if each edge belongs to two facets.
+/// fewer photons if each edge belongs to two facets and the fronts look inward.
 ///
 /// There is a warning for scattered light if more than 10 % of what met the surface fell on backs
 /// and there is no other warning: a floor whose normals look down gets nothing, however little of a
