@@ -70,8 +70,8 @@ void Validate(const StopRules& rules)
   }
   if (!(rules.seconds >= 0.0) || !std::isfinite(rules.seconds))
   {
-    RefuseRule(
-      "the time limit is " + std::to_string(rules.seconds) + " s; it must be 0 (none) or more, and finite");
+    RefuseRule("the time limit is " + std::to_string(rules.seconds) +
+      " s; it must be 0 (none) or more, and finite");
   }
 }
 
@@ -113,8 +113,7 @@ std::optional<StopReason> IlluminationRun::RuleReached(const StopRules& rules) c
     return StopReason::RelativeError;
   }
   if (rules.relativeError > 0.0 && this->BlocksTraced() * PhotonBlock >= MostPhotonsInTheDark &&
-    !this->Sums.AnyLight(&IlluminationSums::front) &&
-    !this->Sums.AnyLight(&IlluminationSums::back))
+    !this->Sums.AnyLight(&IlluminationSums::front) && !this->Sums.AnyLight(&IlluminationSums::back))
   {
     return StopReason::NothingLit;
   }

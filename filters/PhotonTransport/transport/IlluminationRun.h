@@ -24,8 +24,8 @@ struct StopRules
 };
 
 /// A run towards a relative error ends when it has traced so many photons and none of them has
-/// registered on any side. With 95 % confidence less than 3 in so many photons do, and no target can
-/// be met with so few. Without this rule the run would go on to StopRules::photons.
+/// registered on any side. With 95 % confidence less than 3 in so many photons do, and no target
+/// can be met with so few. Without this rule the run would go on to StopRules::photons.
 constexpr std::uint64_t MostPhotonsInTheDark = 1u << 20;
 
 /// Throws InvalidInput that names the rule.
