@@ -1,7 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tables of Testing/README.md share: results from the tests' XML files, and a place between marks."""
 
+import sys
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+sys.path[:0] = [str(Path(__file__).resolve().parents[1] / "examples" / "common")]
+
+import tables  # noqa: E402
 
 
 def finished_tests(folder):
@@ -24,13 +30,13 @@ def put_result(folder, suite, test, protects, measured):
     ElementTree.ElementTree(suites).write(folder / f"{suite}.{test}.xml")
 
 
-def put_table(page, name, lines):
-    """Puts lines between the marks of a table in a page, if they are new."""
+def put_table(page, name, rows):
+    """Puts rows (dicts of the same keys) between the marks of a table in a page, if they are new."""
     begin, end = f"<!-- {name} from here -->", "<!-- to here -->"
     text = page.read_text()
     before, rest = text.split(begin)
     after = rest.split(end, 1)[1]
-    table = "\n".join(lines)
+    table = tables.markdown(rows, padded=False)
     new = f"{before}{begin}\n\n{table}\n\n{end}{after}"
     if new != text:
         page.write_text(new)

@@ -4,7 +4,7 @@ include(IlluminationFindVTK)
 
 set(illumination_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonTransforms FiltersCore FiltersGeneral
-  FiltersSources IOXML IOXMLParser ParallelCore TestingCore)
+  FiltersSources IOXML IOXMLParser ParallelCore)
 if (ILLUMINATION_WRAP_PYTHON)
   list(APPEND illumination_vtk_components Python WrappingPythonCore)
 endif ()

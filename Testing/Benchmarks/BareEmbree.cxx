@@ -9,6 +9,22 @@
 
 #include <limits>
 
+namespace
+{
+
+void IntersectFirst(RTCScene scene, RTCRayHit& rayHit)
+{
+#if ILLUMINATION_EMBREE_VERSION >= 4
+  rtcIntersect1(scene, &rayHit, nullptr);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, &rayHit);
+#endif
+}
+
+} // namespace
+
 struct BareEmbree::Implementation
 {
   explicit Implementation(int threads)
@@ -76,7 +92,7 @@ void BareEmbree::Replay()
             rayHit.ray.tfar = std::numeric_limits<float>::infinity();
             rayHit.ray.mask = 0xffffffffu;
             rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-            PhotonTransport::IntersectFirst(this->Impl->scene, rayHit);
+            IntersectFirst(this->Impl->scene, rayHit);
           }
         });
     });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/Scene.h"
+#include "PhotonTransport/geometry/FacetRings.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 
 #include "Shapes.h"
@@ -11,6 +12,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 using namespace PhotonTransport;
 using Where = InvalidInput::Where;
@@ -140,6 +142,12 @@ TEST(Scene, VertexAreasAddUpToTheSurface)
 TEST(Scene, TiltBoundsTheRing)
 {
   const Scene scene(Shapes::UvSphere(16, 8, Shapes::Facing::Outward));
+  std::vector<glm::uvec3> corners;
+  for (const Facet& facet : scene.Facets())
+  {
+    corners.push_back(facet.vertices);
+  }
+  const FacetRings rings(scene.Vertices().size(), corners);
   std::size_t used = 0;
   for (std::uint32_t v = 0; v < scene.Vertices().size(); ++v)
   {
@@ -150,7 +158,7 @@ TEST(Scene, TiltBoundsTheRing)
     }
     ++used;
     double largest = 0.0;
-    for (const std::uint32_t f : scene.Rings().Of(v))
+    for (const std::uint32_t f : rings.Of(v))
     {
       const glm::dvec3 n(scene.Facets()[f].normal);
       largest = std::max(largest, glm::length(glm::cross(n, glm::dvec3(vertex.normal))));

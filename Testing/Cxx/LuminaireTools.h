@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef LuminaireTools_h
-#define LuminaireTools_h
+#pragma once
 
-#include "TestTools.h"
+#include "Messages.h"
+#include "OutputData.h"
 
 #include "Illumination/luminaires/LuminaireFields.h"
 #include "Illumination/pipeline/InputError.h"
@@ -44,7 +44,7 @@ inline vtkSmartPointer<vtkPolyData> Transformed(vtkPolyData* data,
 }
 
 /// Expects that the data are refused with these words.
-inline void ExpectRefused(vtkPolyData* data, const std::string& words, Checks& check)
+inline void ExpectRefused(vtkPolyData* data, const std::string& words)
 {
   std::string error = "nothing refused";
   try
@@ -55,7 +55,5 @@ inline void ExpectRefused(vtkPolyData* data, const std::string& words, Checks& c
   {
     error = refusal.what();
   }
-  check(error.find(words) != std::string::npos, "expected '" + words + "', not '" + error + "'");
+  EXPECT_TRUE(Holds(error, words));
 }
-
-#endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef MaterialTools_h
-#define MaterialTools_h
+#pragma once
 
-#include "TestTools.h"
+#include "Messages.h"
+#include "OutputData.h"
 
 #include "vtkSurfaceMaterial.h"
 
@@ -14,7 +14,6 @@
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
 #include "vtkSmartPointer.h"
-#include "vtkTestErrorObserver.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <string>
@@ -74,16 +73,6 @@ inline bool HasMaterial(vtkPolyData* data)
   return true;
 }
 
-/// The error that an execution gives; empty if it gives none.
-inline std::string ErrorOf(vtkSurfaceMaterial* filter)
-{
-  vtkNew<vtkTest::ErrorObserver> observer;
-  const unsigned long tag = filter->AddObserver(vtkCommand::ErrorEvent, observer);
-  filter->Update();
-  filter->RemoveObserver(tag);
-  return observer->GetErrorMessage();
-}
-
 inline vtkPolyData* Leaf(vtkSurfaceMaterial* filter, unsigned int flatIndex)
 {
   auto* tree = vtkDataObjectTree::SafeDownCast(filter->GetOutputDataObject(0));
@@ -111,5 +100,3 @@ inline vtkSmartPointer<vtkMultiBlockDataSet> MultiBlock()
   blocks->SetBlock(3, vtkNew<vtkUnstructuredGrid>());
   return blocks;
 }
-
-#endif

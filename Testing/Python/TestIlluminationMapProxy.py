@@ -1,15 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The proxy is an ordinary one: properties reach the filter, domains offer what makes sense, and
 saved states bring it back as it was."""
-import os
-import tempfile
-
-from paraview import servermanager, simple, smstate
+import proxies
+from paraview import servermanager, simple
 from vtkIllumination import vtkIlluminationMap  # what GetClientSideObject returns
 
-PLUGIN = os.environ["ILLUMINATION_PLUGIN"]
-
-# A property's value in ParaView -> the filter's, where they differ.
 NOT_DEFAULT = {
     "LampType": ("Disk", 5),
     "LampPosition": [1.5, 2.5, 3.5],
@@ -55,17 +50,6 @@ NOT_DEFAULT = {
 }
 
 
-def proxy_value(name):
-    value = NOT_DEFAULT[name]
-    return value[0] if isinstance(value, tuple) else value
-
-
-def filter_value(name):
-    value = NOT_DEFAULT[name]
-    return value[1] if isinstance(value, tuple) else tuple(value) if isinstance(
-        value, list) else value
-
-
 def surface_with_cell_arrays():
     source = simple.ProgrammableSource(OutputDataSetType="vtkPolyData")
     source.Script = """
@@ -85,36 +69,19 @@ output.CellData.append(numpy.full((cells, 3), 0.25), "Colour")
 
 def changed_proxy():
     proxy = IlluminationMap(registrationName="lit", Input=surface_with_cell_arrays())
-    for name in NOT_DEFAULT:
-        setattr(proxy, name, proxy_value(name))
-    proxy.UpdateVTKObjects()
+    proxies.set_all(proxy, NOT_DEFAULT)
     return proxy
-
-
-def check_changed(proxy):
-    for name in NOT_DEFAULT:
-        get = getattr(proxy.GetClientSideObject(), "Get" + name)
-        assert get() == filter_value(name), (name, get())
 
 
 def test_each_property_is_documented_and_reaches_the_filter():
     proxy = IlluminationMap(Input=surface_with_cell_arrays())
-    assert sorted(NOT_DEFAULT) == sorted(set(proxy.ListProperties()) - {"Input", "Luminaires"})
-    for name in NOT_DEFAULT:
-        assert len(proxy.GetProperty(name).SMProperty.GetDocumentation().GetDescription()) > 40
-        assert getattr(proxy.GetClientSideObject(), "Get" + name)() != filter_value(name), name
-    check_changed(changed_proxy())
+    proxies.check_documented(proxy, NOT_DEFAULT)
+    proxies.check_reach(proxy, NOT_DEFAULT)
 
 
 def test_defaults_of_proxy_and_class_agree():
     proxy = IlluminationMap(Input=surface_with_cell_arrays())
-    proxy.UpdateVTKObjects()
-    for name in NOT_DEFAULT:
-        by_proxy = getattr(proxy.GetClientSideObject(), "Get" + name)()
-        by_class = getattr(vtkIlluminationMap(), "Get" + name)()
-        # An array list has to name its empty choice; the class has no array by default.
-        assert by_proxy == by_class or (by_proxy, by_class or "") == ("None", ""), (
-            name, by_proxy, by_class)
+    proxies.check_defaults(proxy, vtkIlluminationMap(), NOT_DEFAULT)
 
 
 def test_array_lists_offer_cell_arrays_of_the_right_shape_and_none():
@@ -147,11 +114,7 @@ def test_luminaires_replace_the_own_lamp_and_survive_a_state():
         parts = [both.GetArray("Illuminance_" + name).GetValue(point) for name in ("Sun", "Spot")]
         total = both.GetArray("Illuminance").GetValue(point)
         assert abs(sum(parts) - total) <= 1e-9 * total, (point, parts, total)
-    with tempfile.TemporaryDirectory() as folder:
-        state = os.path.join(folder, "state.pvsm")
-        simple.SaveState(state)
-        simple.ResetSession()
-        simple.LoadState(state)
+    proxies.pass_through_a_state()
     again = simple.FindSource("by lamps")
     assert len(again.Luminaires) == 2
     again.Luminaires = []
@@ -213,25 +176,14 @@ def test_menu_offers_lamps_and_groups_of_them_as_luminaires():
 
 def test_state_brings_everything_back():
     changed_proxy()
-    with tempfile.TemporaryDirectory() as folder:
-        state = os.path.join(folder, "state.pvsm")
-        simple.SaveState(state)
-        simple.ResetSession()
-        simple.LoadState(state)
-    check_changed(simple.FindSource("lit"))
+    proxies.pass_through_a_state()
+    proxies.check_all(simple.FindSource("lit"), NOT_DEFAULT)
 
 
 def test_python_state_says_what_was_set():
     changed_proxy()
-    script = smstate.get_state()
-    for name in NOT_DEFAULT:
-        assert f"lit.{name} = {proxy_value(name)!r}" in script, (name, script)
+    proxies.check_python_state("lit", NOT_DEFAULT)
 
 
 if __name__ == "__main__":
-    for test_name, test in list(globals().items()):
-        if test_name.startswith("test_"):
-            print(test_name, flush=True)
-            simple.ResetSession()
-            simple.LoadPlugin(PLUGIN, ns=globals())
-            test()
+    proxies.run_tests(globals())

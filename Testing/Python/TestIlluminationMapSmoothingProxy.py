@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The smoothing's proxy: defaults, documentation, arrays it offers, a chain that is set up by default."""
-import os
-
+import proxies
 from paraview import servermanager, simple
 from vtkIllumination import vtkIlluminationMapSmoothing
 
-# A property's value in ParaView -> the filter's, where they differ.
 NOT_DEFAULT = {
     "Method": ("Diffusion", 1),
     "IlluminanceArray": "IlluminanceDirect",
@@ -25,21 +23,12 @@ def smoothed_sphere():
 
 def test_each_property_is_documented_and_reaches_the_filter():
     proxy = smoothed_sphere()
-    assert sorted(NOT_DEFAULT) == sorted(set(proxy.ListProperties()) - {"Input"})
-    for name, value in NOT_DEFAULT.items():
-        shown, expected = value if isinstance(value, tuple) else (value, value)
-        assert len(proxy.GetProperty(name).SMProperty.GetDocumentation().GetDescription()) > 40
-        setattr(proxy, name, shown)
-        proxy.UpdateVTKObjects()
-        assert getattr(proxy.GetClientSideObject(), "Get" + name)() == expected, name
+    proxies.check_documented(proxy, NOT_DEFAULT)
+    proxies.check_reach(proxy, NOT_DEFAULT)
 
 
 def test_defaults_of_proxy_and_class_agree():
-    proxy = smoothed_sphere()
-    proxy.UpdateVTKObjects()
-    for name in NOT_DEFAULT:
-        by_proxy = getattr(proxy.GetClientSideObject(), "Get" + name)()
-        assert by_proxy == getattr(vtkIlluminationMapSmoothing(), "Get" + name)(), name
+    proxies.check_defaults(smoothed_sphere(), vtkIlluminationMapSmoothing(), NOT_DEFAULT)
 
 
 def test_array_lists_offer_point_arrays_of_one_component():
@@ -59,9 +48,4 @@ def test_it_runs_as_it_is_set_up():
 
 
 if __name__ == "__main__":
-    for test_name, test in list(globals().items()):
-        if test_name.startswith("test_"):
-            print(test_name, flush=True)
-            simple.ResetSession()
-            simple.LoadPlugin(os.environ["ILLUMINATION_PLUGIN"], ns=globals())
-            test()
+    proxies.run_tests(globals())

@@ -1,17 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The luminaire's proxy: defaults, documentation, choices, and a lamp that arrives as it is set."""
-import os
-
+import proxies
 from paraview import servermanager, simple
 from vtkIllumination import vtkLuminaireSource
 
-# A property's value in ParaView -> the source's, where they differ.
 NOT_DEFAULT = {
     "Type": ("Spot", 3),
     "LuminaireName": "over the desk",
-    "Position": (1.0, 2.0, 3.0),
-    "Direction": (0.0, 1.0, 0.0),
-    "Size": (2.0, 3.0),
+    "Position": [1.0, 2.0, 3.0],
+    "Direction": [0.0, 1.0, 0.0],
+    "Size": [2.0, 3.0],
     "Rotation": 90.0,
     "SpotHalfAngle": 60.0,
     "SpotExponent": 2.0,
@@ -22,28 +20,19 @@ NOT_DEFAULT = {
     "SunAzimuth": 90.0,
     "FileName": "lamp.ies",
     "Dimming": 0.5,
-    "LightColour": (1.0, 0.8, 0.6),
+    "LightColour": [1.0, 0.8, 0.6],
     "GlyphSize": 0.3,
 }
 
 
 def test_each_property_is_documented_and_reaches_the_source():
     proxy = Luminaire()
-    assert sorted(NOT_DEFAULT) == sorted(proxy.ListProperties())
-    for name, value in NOT_DEFAULT.items():
-        shown, expected = value if name in ("Type", "SkyType") else (value, value)
-        assert len(proxy.GetProperty(name).SMProperty.GetDocumentation().GetDescription()) > 40
-        setattr(proxy, name, shown)
-        proxy.UpdateVTKObjects()
-        assert getattr(proxy.GetClientSideObject(), "Get" + name)() == expected, name
+    proxies.check_documented(proxy, NOT_DEFAULT)
+    proxies.check_reach(proxy, NOT_DEFAULT)
 
 
 def test_defaults_of_proxy_and_class_agree():
-    proxy = Luminaire()
-    proxy.UpdateVTKObjects()
-    for name in NOT_DEFAULT:
-        by_proxy = getattr(proxy.GetClientSideObject(), "Get" + name)()
-        assert by_proxy == getattr(vtkLuminaireSource(), "Get" + name)(), name
+    proxies.check_defaults(Luminaire(), vtkLuminaireSource(), NOT_DEFAULT)
 
 
 def test_choices_are_those_of_the_class():
@@ -139,9 +128,4 @@ def test_what_loses_lamps_is_refused():
 
 
 if __name__ == "__main__":
-    for test_name, test in list(globals().items()):
-        if test_name.startswith("test_"):
-            print(test_name, flush=True)
-            simple.ResetSession()
-            simple.LoadPlugin(os.environ["ILLUMINATION_PLUGIN"], ns=globals())
-            test()
+    proxies.run_tests(globals())

@@ -2,6 +2,7 @@
 """The photometric reader's proxy: found by a file's extension, documented, errors are not fatal."""
 import os
 
+import proxies
 from paraview import servermanager, simple
 from vtkIllumination import vtkPhotometricReader
 
@@ -23,13 +24,9 @@ def test_files_are_opened_by_their_extension():
 
 
 def test_each_property_is_documented_and_reaches_the_reader():
-    proxy = PhotometricReader(FileName=data_file("isotropic.ies"), Size=3.0)
-    proxy.UpdateVTKObjects()
-    assert sorted(proxy.ListProperties()) == ["FileName", "Size"]
-    for name in proxy.ListProperties():
-        assert len(proxy.GetProperty(name).SMProperty.GetDocumentation().GetDescription()) > 40
-    assert proxy.GetClientSideObject().GetFileName() == data_file("isotropic.ies")
-    assert proxy.GetClientSideObject().GetSize() == 3.0
+    proxy = PhotometricReader()
+    proxies.check_documented(proxy, ["FileName", "Size"])
+    proxies.check_reach(proxy, {"FileName": data_file("isotropic.ies"), "Size": 3.0})
 
 
 def test_defaults_of_proxy_and_class_agree():
@@ -56,9 +53,4 @@ def test_its_output_is_a_lamp():
 
 
 if __name__ == "__main__":
-    for test_name, test in list(globals().items()):
-        if test_name.startswith("test_"):
-            print(test_name, flush=True)
-            simple.ResetSession()
-            simple.LoadPlugin(os.environ["ILLUMINATION_PLUGIN"], ns=globals())
-            test()
+    proxies.run_tests(globals())

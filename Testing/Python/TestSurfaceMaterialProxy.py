@@ -1,14 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The material's proxy: defaults, documentation, what it offers, blocks, saved states."""
-import os
-import tempfile
-
-from paraview import servermanager, simple, smstate
+import proxies
+from paraview import servermanager, simple
 from vtkIllumination import vtkSurfaceMaterial
 
-PLUGIN = os.environ["ILLUMINATION_PLUGIN"]
-
-# A property's value in ParaView -> the filter's, where they differ.
 NOT_DEFAULT = {
     "Preset": ("Clear Glass", 10),
     "DiffuseReflectance": [0.125, 0.25, 0.375],
@@ -23,17 +18,6 @@ NOT_DEFAULT = {
     "CellValue": 3.0,
 }
 BLOCKS = [2, 4]
-
-
-def proxy_value(name):
-    value = NOT_DEFAULT[name]
-    return value[0] if isinstance(value, tuple) else value
-
-
-def filter_value(name):
-    value = NOT_DEFAULT[name]
-    return value[1] if isinstance(value, tuple) else tuple(value) if isinstance(
-        value, list) else value
 
 
 def surface():
@@ -61,18 +45,14 @@ def blocks():
 
 def changed_proxy():
     proxy = SurfaceMaterial(registrationName="material", Input=surface())
-    for name in NOT_DEFAULT:
-        setattr(proxy, name, proxy_value(name))
     proxy.Blocks = BLOCKS
-    proxy.UpdateVTKObjects()
+    proxies.set_all(proxy, NOT_DEFAULT)
     return proxy
 
 
 def check_changed(proxy):
+    proxies.check_all(proxy, NOT_DEFAULT)
     material = proxy.GetClientSideObject()
-    for name in NOT_DEFAULT:
-        value = getattr(material, "Get" + name)()
-        assert value == filter_value(name), (name, value)
     assert list(proxy.Blocks) == BLOCKS
     assert material.GetNumberOfBlocks() == len(BLOCKS)
     for block in BLOCKS:
@@ -81,25 +61,15 @@ def check_changed(proxy):
 
 def test_each_property_is_documented_and_reaches_the_filter():
     proxy = SurfaceMaterial(Input=surface())
-    names = sorted(set(proxy.ListProperties()) - {"Input"})
-    assert sorted([*NOT_DEFAULT, "Blocks"]) == names
-    for name in names:
-        assert len(proxy.GetProperty(name).SMProperty.GetDocumentation().GetDescription()) > 40
-    for name in NOT_DEFAULT:
-        assert getattr(proxy.GetClientSideObject(), "Get" + name)() != filter_value(name), name
+    proxies.check_documented(proxy, [*NOT_DEFAULT, "Blocks"])
+    proxies.check_reach(proxy, NOT_DEFAULT)
     check_changed(changed_proxy())
 
 
 def test_defaults_of_proxy_and_class_agree():
     for source in (surface(), blocks()):
         proxy = SurfaceMaterial(Input=source)
-        proxy.UpdateVTKObjects()
-        for name in NOT_DEFAULT:
-            by_proxy = getattr(proxy.GetClientSideObject(), "Get" + name)()
-            by_class = getattr(vtkSurfaceMaterial(), "Get" + name)()
-            # An array list has to name its empty choice; the class has no array by default.
-            assert by_proxy == by_class or (by_proxy, by_class or "") == ("None", ""), (
-                name, by_proxy, by_class)
+        proxies.check_defaults(proxy, vtkSurfaceMaterial(), NOT_DEFAULT)
         assert len(proxy.Blocks) == 0 and proxy.GetClientSideObject().GetNumberOfBlocks() == 0
 
 
@@ -140,20 +110,13 @@ def test_a_chain_gives_each_part_its_own():
 
 def test_state_brings_everything_back():
     changed_proxy()
-    with tempfile.TemporaryDirectory() as folder:
-        state = os.path.join(folder, "state.pvsm")
-        simple.SaveState(state)
-        simple.ResetSession()
-        simple.LoadState(state)
+    proxies.pass_through_a_state()
     check_changed(simple.FindSource("material"))
 
 
 def test_python_state_says_what_was_set():
     changed_proxy()
-    script = smstate.get_state()
-    for name in NOT_DEFAULT:
-        assert f"material.{name} = {proxy_value(name)!r}" in script, (name, script)
-    assert f"material.Blocks = {BLOCKS!r}" in script, script
+    proxies.check_python_state("material", {**NOT_DEFAULT, "Blocks": BLOCKS})
 
 
 def test_blocks_and_values_can_be_taken_back():
@@ -163,16 +126,11 @@ def test_blocks_and_values_can_be_taken_back():
     proxy.UpdateVTKObjects()
     assert proxy.GetClientSideObject().GetNumberOfBlocks() == 0
     assert proxy.GetClientSideObject().GetPreset() == vtkSurfaceMaterial.CUSTOM
-    proxy.Preset = proxy_value("Preset")
+    proxy.Preset = proxies.in_paraview(NOT_DEFAULT["Preset"])
     proxy.Blocks = BLOCKS
     proxy.UpdateVTKObjects()
     check_changed(proxy)
 
 
 if __name__ == "__main__":
-    for test_name, test in list(globals().items()):
-        if test_name.startswith("test_"):
-            print(test_name, flush=True)
-            simple.ResetSession()
-            simple.LoadPlugin(PLUGIN, ns=globals())
-            test()
+    proxies.run_tests(globals())

@@ -3,28 +3,46 @@
 
 #include "PhotonTransport/transport/IlluminationRun.h"
 
+#include <memory>
+
 /// How many facets a hit registers on at most: 1, unless some lie in one place and face the same
 /// way.
-inline std::size_t MostFacetsInOnePlace(const PhotonTransport::Scene& scene)
-{
-  const PhotonTransport::SharedPlaceNotes& shared = scene.Notes().sharedPlaces;
-  return shared.copies.facets + shared.inPart.facets > 0 ? scene.Facets().size() : 1;
-}
+std::size_t MostFacetsInOnePlace(const PhotonTransport::Scene& scene);
 
-/// A whole run to a number of photons, for tests.
-struct TracedMap
+/// A whole run to a number of photons. It expects a sound result: photons balance, all values are
+/// finite and not below 0, and no more flux is registered than arrived times the weight bound, on
+/// each facet in one place.
+class TracedMap
 {
+public:
+  /// The scene must outlive this.
   TracedMap(const PhotonTransport::Scene& scene, const PhotonTransport::Lighting& lighting,
-    const PhotonTransport::TraceSettings& settings, std::uint64_t photons)
-  {
-    PhotonTransport::IlluminationRun run(scene, lighting, settings);
-    run.Advance({ photons });
-    this->front = run.Front();
-    this->back = settings.registerBackSide ? run.Back() : PhotonTransport::IlluminationMap();
-    this->balance = run.Balance();
-  }
+    const PhotonTransport::TraceSettings& settings, std::uint64_t photons);
+  /// In a scene of its own.
+  TracedMap(const PhotonTransport::Surface& surface, const PhotonTransport::Lighting& lighting,
+    const PhotonTransport::TraceSettings& settings, std::uint64_t photons);
 
-  PhotonTransport::IlluminationMap front;
-  PhotonTransport::IlluminationMap back;
+private:
+  using ScenePointer = std::shared_ptr<const PhotonTransport::Scene>;
+  TracedMap(const ScenePointer& scene, const PhotonTransport::Lighting& lighting,
+    const PhotonTransport::TraceSettings& settings, std::uint64_t photons);
+
+  ScenePointer Owned;
+
+public:
+  const PhotonTransport::Scene& scene;
+  PhotonTransport::IlluminationMap front, back; ///< No back unless the settings register it.
   PhotonTransport::PhotonBalance balance;
+  double fluxCut = 0.0; ///< By the weight bound, lm.
+  double flux = 0.0;    ///< Of the lamps, lm.
+
+  /// sum A E of a side, lm.
+  double RegisteredFlux(const PhotonTransport::IlluminationMap& side) const;
+  /// Standard error of RegisteredFlux(front) as if vertices were independent, which is too small by
+  /// less than sqrt(3), lm.
+  double FluxError() const;
+
+private:
+  void ExpectSound(const PhotonTransport::IlluminationMap& side) const;
+  void ExpectFluxWithinBounds(const PhotonTransport::TraceSettings& settings) const;
 };

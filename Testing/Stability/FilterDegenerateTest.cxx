@@ -8,10 +8,8 @@
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
-#include "vtkVariant.h"
 
 #include <algorithm>
 #include <cmath>
@@ -209,8 +207,8 @@ TEST_F(FilterDegenerate, SliversOfRoundedPointsTurnNothing)
     room.polygons.insert(room.polygons.begin(),
       { { wall.corners[turned ? 1 : 0], between, wall.corners[turned ? 0 : 1] }, 0.5 });
     const auto map = this->MapOf(room, false, false);
-    const double onBacks = map->GetFieldData()->GetArray("FluxOnBacks")->GetTuple1(0);
-    const double emitted = map->GetFieldData()->GetArray("EmittedFlux")->GetTuple1(0);
+    const double onBacks = FieldValue(map, "FluxOnBacks");
+    const double emitted = FieldValue(map, "EmittedFlux");
     // The sliver's own back is about its height, a digit's rounding, times its length.
     EXPECT_LE(onBacks, 0.01 * emitted);
     mostOnBacks = std::max(mostOnBacks, onBacks / emitted);
@@ -251,8 +249,7 @@ TEST_F(FilterDegenerate, ARoomKeepsTheLightThatTheoryGivesIt)
   {
     flux += map->GetPointData()->GetArray("PhotonHits")->GetTuple1(p) / 3.0;
   }
-  const double photons =
-    map->GetFieldData()->GetAbstractArray("PhotonsEmitted")->GetVariantValue(0).ToDouble();
+  const double photons = FieldValue(map, "PhotonsEmitted");
   const double ratio = flux / photons * (1.0 - Reflectance);
   const double error = std::sqrt(Reflectance / photons);
   EXPECT_NEAR(ratio, 1.0, 4.0 * error);
@@ -329,11 +326,7 @@ TEST_F(FilterDegenerate, ALuminousMeshShinesAsWithoutThem)
     this->Filter->SetInputData(1, lamp);
     this->Filter->SetInputData(0, RandomRoom(2).Data(true, true));
     this->ExpectMap();
-    return this->Filter->GetOutput()
-      ->GetFieldData()
-      ->GetAbstractArray("EmittedFlux")
-      ->GetVariantValue(0)
-      .ToDouble();
+    return FieldValue(this->Filter->GetOutput(), "EmittedFlux");
   };
   const Mesh good = RandomRoom(2);
   Mesh spoilt = good;

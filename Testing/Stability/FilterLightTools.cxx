@@ -3,7 +3,6 @@
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 
@@ -115,7 +114,7 @@ std::vector<LightArrays> FilterLightTest::Light(vtkDataObject* input, int warnin
 
 double FilterLightTest::FieldValue(const char* name)
 {
-  return this->Filter->GetOutputDataObject(0)->GetFieldData()->GetArray(name)->GetTuple1(0);
+  return ::FieldValue(this->Filter->GetOutputDataObject(0), name);
 }
 
 void FilterLightTest::ExpectLightOf(

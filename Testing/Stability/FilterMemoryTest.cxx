@@ -5,10 +5,8 @@
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/transport/MemoryNeed.h"
 
-#include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkSphereSource.h"
-#include "vtkVariant.h"
 
 #include <cmath>
 #include <fstream>
@@ -72,12 +70,7 @@ protected:
     }
   }
 
-  double Needed() const
-  {
-    vtkAbstractArray* needed =
-      this->Filter->GetOutput()->GetFieldData()->GetAbstractArray("MemoryNeeded");
-    return needed ? needed->GetVariantValue(0).ToDouble() : 0.0;
-  }
+  double Needed() const { return FieldValue(this->Filter->GetOutput(), "MemoryNeeded"); }
 };
 
 /// 1000 x 500 points and nearly a million triangles.

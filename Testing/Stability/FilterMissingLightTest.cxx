@@ -5,7 +5,6 @@
 #include "RoomMesh.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
@@ -24,10 +23,7 @@ protected:
   {
   }
 
-  double Lumens(const char* name) const
-  {
-    return this->Filter->GetOutput()->GetFieldData()->GetArray(name)->GetTuple1(0);
-  }
+  double Lumens(const char* name) const { return FieldValue(this->Filter->GetOutput(), name); }
 
   double Uniform(double low, double high)
   {

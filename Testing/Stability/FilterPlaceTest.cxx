@@ -5,10 +5,8 @@
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkVariant.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,11 +99,7 @@ protected:
     this->Filter->SetPhotons(100000);
     this->ExpectMap();
     Map map;
-    map.emitted = this->Filter->GetOutput()
-                    ->GetFieldData()
-                    ->GetAbstractArray("PhotonsEmitted")
-                    ->GetVariantValue(0)
-                    .ToDouble();
+    map.emitted = FieldValue(this->Filter->GetOutput(), "PhotonsEmitted");
     for (vtkIdType i = 0; i < this->Surface->GetNumberOfPoints(); ++i)
     {
       map.illuminance.push_back(this->OutputArray("Illuminance")->GetTuple1(i));

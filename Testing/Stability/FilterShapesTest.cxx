@@ -6,10 +6,8 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkVariant.h"
 
 #include <algorithm>
 #include <cmath>
@@ -136,10 +134,7 @@ protected:
     this->Cells->GetCellData()->Initialize();
     this->Cells->GetCellData()->AddArray(exitance);
     this->ExpectMap();
-    vtkFieldData* fields = this->Filter->GetOutput()->GetFieldData();
-    ASSERT_TRUE(fields->HasArray("EmittedFlux"));
-    EXPECT_NEAR(
-      fields->GetAbstractArray("EmittedFlux")->GetVariantValue(0).ToDouble(), lumens, tolerance);
+    EXPECT_NEAR(FieldValue(this->Filter->GetOutput(), "EmittedFlux"), lumens, tolerance);
   }
 
   /// One polygon: its area on the slope, within what rounding can change. A coordinate is rounded

@@ -7,11 +7,9 @@
 #include "vtkCellArray.h"
 #include "vtkCubeSource.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkVariant.h"
 
 #include <array>
 #include <cmath>
@@ -70,11 +68,7 @@ protected:
 
   double FieldValue(const char* name)
   {
-    return this->Filter->GetOutputDataObject(0)
-      ->GetFieldData()
-      ->GetAbstractArray(name)
-      ->GetVariantValue(0)
-      .ToDouble();
+    return ::FieldValue(this->Filter->GetOutputDataObject(0), name);
   }
 
   /// Parallel light of 1000 lx straight down, within 6 standard errors of 8 replicates (Student's t

@@ -2,40 +2,10 @@
 #include "FilterTools.h"
 
 #include "vtkDataArray.h"
-#include "vtkFieldData.h"
-#include "vtkLogger.h"
-#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSphereSource.h"
-#include "vtkVariant.h"
 
 #include <cmath>
-
-vtkStandardNewMacro(MessageCounter);
-
-void MessageCounter::DisplayErrorText(const char* text)
-{
-  ++this->Errors;
-  this->Text += text;
-}
-
-void MessageCounter::DisplayWarningText(const char* text)
-{
-  ++this->Warnings;
-  this->Text += text;
-}
-
-void MessageCounter::DisplayGenericWarningText(const char* text)
-{
-  this->DisplayWarningText(text);
-}
-
-void MessageCounter::Clear()
-{
-  this->Errors = 0;
-  this->Warnings = 0;
-  this->Text.clear();
-}
 
 vtkSmartPointer<vtkPolyData> SmallSphere()
 {
@@ -67,9 +37,6 @@ bool AllFinite(vtkPolyData* data)
 
 void FilterTest::SetUp()
 {
-  this->Before = vtkOutputWindow::GetInstance();
-  vtkOutputWindow::SetInstance(this->Messages);
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // what is expected is not worth a line
   this->Surface = SmallSphere();
   this->Filter->SetInputData(this->Surface);
   this->Filter->SetPhotons(4096);
@@ -92,7 +59,6 @@ void FilterTest::TearDown()
   }
   this->RecordProperty("protects", this->Protects);
   this->RecordProperty("measured", this->WhatWasMeasured);
-  vtkOutputWindow::SetInstance(this->Before);
 }
 
 void FilterTest::Run()
@@ -110,7 +76,7 @@ void FilterTest::ExpectError(const std::string& words)
   this->Run();
   EXPECT_EQ(this->Messages->Errors, 1) << this->Messages->Text;
   EXPECT_EQ(this->Messages->Warnings, 0) << this->Messages->Text;
-  EXPECT_NE(this->Messages->Text.find(words), std::string::npos) << this->Messages->Text;
+  EXPECT_TRUE(Holds(this->Messages->Text, words));
 
   vtkDataObject* output = this->Filter->GetOutputDataObject(0);
   ASSERT_NE(output, nullptr);
@@ -144,17 +110,10 @@ void FilterTest::ExpectMap()
 
 vtkDataArray* FilterTest::OutputArray(const char* name) const
 {
-  return this->Filter->GetOutput()->GetPointData()->GetArray(name);
+  return PointArray(this->Filter->GetOutput(), name);
 }
 
 std::string FilterTest::Notes() const
 {
-  std::string text;
-  vtkAbstractArray* notes =
-    this->Filter->GetOutputDataObject(0)->GetFieldData()->GetAbstractArray("Notes");
-  for (vtkIdType i = 0; notes && i < notes->GetNumberOfValues(); ++i)
-  {
-    text += notes->GetVariantValue(i).ToString() + "\n";
-  }
-  return text;
+  return FieldText(this->Filter->GetOutputDataObject(0), "Notes");
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Messages.h"
+#include "OutputData.h"
+
 #include "vtkIlluminationMap.h"
 
 #include "vtkNew.h"
-#include "vtkOutputWindow.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -13,24 +15,6 @@
 #include <string>
 
 class vtkDataArray;
-
-/// Counts what VTK would print, whoever says it: filter, executive or a filter inside.
-class MessageCounter : public vtkOutputWindow
-{
-public:
-  static MessageCounter* New();
-  vtkTypeMacro(MessageCounter, vtkOutputWindow);
-
-  void DisplayErrorText(const char* text) override;
-  void DisplayWarningText(const char* text) override;
-  void DisplayGenericWarningText(const char* text) override;
-  void DisplayText(const char*) override {}
-  void Clear();
-
-  int Errors = 0;
-  int Warnings = 0;
-  std::string Text;
-};
 
 /// The filter on a small sphere, or what a test makes of it, and all that VTK says meanwhile.
 class FilterTest : public ::testing::Test
@@ -65,10 +49,9 @@ protected:
   bool LightMayBeMissing = false; ///< One warning may say that light met no front.
   vtkSmartPointer<vtkPolyData> Surface;
   vtkNew<vtkIlluminationMap> Filter;
-  vtkNew<MessageCounter> Messages;
+  CaughtMessages Messages;
 
 private:
-  vtkSmartPointer<vtkOutputWindow> Before;
   std::string Protects;
   std::string WhatWasMeasured;
   int Refusals = 0;

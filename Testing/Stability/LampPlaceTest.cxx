@@ -115,7 +115,7 @@ protected:
     TraceSettings settings;
     settings.registerBackSide = true;
     settings.registration = Registration::Flat;
-    const SoundRun run(surface, lamp, settings, Photons);
+    const TracedMap run(surface, lamp, settings, Photons);
     EXPECT_EQ(run.balance.escaped, 0u);
     EXPECT_NEAR(run.RegisteredFlux(run.front), run.flux, 1e-6 * run.flux);
     EXPECT_EQ(run.RegisteredFlux(run.back), 0.0);
@@ -252,7 +252,7 @@ TEST_F(LampPlace, BehindTheCeilingItStaysDark)
   const Surface room = Shapes::Box(Low, High, 4, Facing::Inward);
   TraceSettings settings;
   settings.registerBackSide = true;
-  const SoundRun run(
+  const TracedMap run(
     room, DiskLamp{ { 1.3, 1.9, High.z + 1e-3 }, { 0, 0, -1 }, 0.1, Lumens }, settings, Photons);
   EXPECT_EQ(run.RegisteredFlux(run.front), 0.0);
   Report("lamps that are moved through a ceiling they do not touch",
@@ -289,7 +289,7 @@ TEST_F(LampPlace, OnDoubleSheetsAndGlass)
   const auto expectOnSide =
     [&](const Surface& still, const Surface& surface, double side, const Lamp& lamp)
   {
-    const SoundRun run(surface, lamp, TraceSettings(), Photons);
+    const TracedMap run(surface, lamp, TraceSettings(), Photons);
     double right = 0.0, wrong = 0.0;
     for (std::size_t v = 0; v < surface.points.size(); ++v)
     {

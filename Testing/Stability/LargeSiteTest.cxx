@@ -62,7 +62,7 @@ Surface BoxAt(const Site& site, const glm::dvec3& low, const glm::dvec3& high, i
 }
 
 /// Flux on the fronts of the vertices [first, last), lm.
-double FluxOn(const SoundRun& run, std::size_t first, std::size_t last)
+double FluxOn(const TracedMap& run, std::size_t first, std::size_t last)
 {
   double sum = 0.0;
   for (std::size_t v = first; v < last; ++v)
@@ -93,7 +93,7 @@ TEST(LargeSite, ARoomKeepsItsLight)
       SCOPED_TRACE(NameOf(site) + ", walls of " + std::to_string(cells));
       const Surface room = BoxAt(site, { -2, -2, 0 }, { 2, 2, 3 }, cells, Facing::Inward);
       const Surface all = Shapes::WithReflectance(Shapes::Together(room, Terrain(site)), 0.98f);
-      const SoundRun run(
+      const TracedMap run(
         all, PointLamp{ site.place + glm::dvec3(0.7, 0.4, 2.5), 1000.0 }, FlatSettings(), 4'000);
       EXPECT_EQ(run.balance.escaped, 0u);
       EXPECT_EQ(FluxOn(run, room.points.size(), all.points.size()), 0.0);
@@ -117,7 +117,7 @@ TEST(LargeSite, ARoomOnBareGroundKeepsItsLight)
     room.facets.erase(
       std::remove_if(room.facets.begin(), room.facets.end(), isFloor), room.facets.end());
     const Surface all = Shapes::WithReflectance(Shapes::Together(room, Terrain(site)), 0.98f);
-    const SoundRun run(
+    const TracedMap run(
       all, PointLamp{ site.place + glm::dvec3(0.7, 0.4, 2.0), 1000.0 }, FlatSettings(), 4'000);
     EXPECT_EQ(run.balance.escaped, 0u);
     segments += run.balance.segments;
@@ -134,7 +134,7 @@ TEST(LargeSite, ThinCavitiesKeepTheirLight)
     SCOPED_TRACE(NameOf(site));
     const Surface cavity = BoxAt(site, { 0, 0, 1 }, { 1, 1, 1.0005 }, 2, Facing::Inward);
     const Surface all = Shapes::WithReflectance(Shapes::Together(cavity, Terrain(site)), 0.5f);
-    const SoundRun run(all, PointLamp{ site.place + glm::dvec3(0.52, 0.51, 1.00025), 1000.0 },
+    const TracedMap run(all, PointLamp{ site.place + glm::dvec3(0.52, 0.51, 1.00025), 1000.0 },
       FlatSettings(), 20'000);
     EXPECT_EQ(run.balance.escaped, 0u);
     EXPECT_EQ(FluxOn(run, cavity.points.size(), all.points.size()), 0.0);
@@ -161,13 +161,13 @@ TEST(LargeSite, ThinWallsKeepLightOut)
     all = Shapes::WithReflectance(Shapes::Together(all, Terrain(site)), 0.5f);
     const SpotLamp spot{ site.place + glm::dvec3(20, 15, 30), { -19.5, -14.5, -28.5 }, 0.05, 0.0,
       1000.0 };
-    const SoundRun near(all, spot, FlatSettings(), 20'000);
+    const TracedMap near(all, spot, FlatSettings(), 20'000);
     EXPECT_EQ(FluxOn(near, 0, inside.points.size()), 0.0);
     EXPECT_GT(FluxOn(near, inside.points.size(), shell), 0.0);
     const glm::dvec3 far = CentreOf(site) + glm::dvec3(0, 0, site.half);
     const SpotLamp distant{ far, site.place + glm::dvec3(0.5, 0.5, 1.5) - far, 1.0 / site.half, 0.0,
       1000.0 };
-    const SoundRun fromFar(all, distant, FlatSettings(), 20'000);
+    const TracedMap fromFar(all, distant, FlatSettings(), 20'000);
     EXPECT_EQ(FluxOn(fromFar, 0, inside.points.size()), 0.0);
     EXPECT_GT(FluxOn(fromFar, inside.points.size(), shell), 0.0);
     photons += near.balance.emitted + fromFar.balance.emitted;

@@ -53,7 +53,7 @@ TEST_P(Case1, GrazingLightOnAPlaneAndOnATiltedFacet)
   {
     for (const double degrees : { 60.0, 80.0, 89.0, 89.9, 89.99, 89.999 })
     {
-      const SoundRun run(flat.surface, Slanted(degrees), GetParam().Settings(), 50'000);
+      const TracedMap run(flat.surface, Slanted(degrees), GetParam().Settings(), 50'000);
       const double expected = 1000.0 * flat.area * std::cos(degrees * Pi / 180.0);
       const double off = run.RegisteredFlux(run.front) - expected;
       // Rays start from a disk around the plane's shadow: the share that hits is binomial.
@@ -74,7 +74,7 @@ TEST_P(Case1, GrazingLightOnAPlaneAndOnATiltedFacet)
 
 TEST_P(Case1, LightAlongAPlaneLeavesItDark)
 {
-  const SoundRun run(Plane(4), Slanted(90.0), GetParam().Settings(), 50'000);
+  const TracedMap run(Plane(4), Slanted(90.0), GetParam().Settings(), 50'000);
   const double most = std::max(run.RegisteredFlux(run.front), run.RegisteredFlux(run.back));
   EXPECT_LE(most, 4000.0 * 0x1p-23 * 10.0); // the direction's rounding, times compensation
   Report(
@@ -90,7 +90,7 @@ TEST_P(Case1, GrazingLightOnCurvedShapes)
   {
     for (const double degrees : { 0.0, 60.0, 89.999, 90.0 })
     {
-      const SoundRun run(surface, Slanted(degrees), GetParam().Settings(), 50'000);
+      const TracedMap run(surface, Slanted(degrees), GetParam().Settings(), 50'000);
       cut = std::max(cut, run.fluxCut / run.flux);
       error = std::max(error, run.FluxError() / run.flux);
       if (GetParam().registration == Registration::VertexNormalised)
@@ -110,7 +110,7 @@ TEST_P(Case1, GrazingLightOnCurvedShapes)
 TEST_P(Case1, LightFromAllSidesOnACoarseSphere)
 {
   const UniformSky sky{ { 0.0, 0.0, 1.0 }, 1000.0, true };
-  const SoundRun run(Shapes::Icosphere(1, Facing::Outward), sky, GetParam().Settings(), 400'000);
+  const TracedMap run(Shapes::Icosphere(1, Facing::Outward), sky, GetParam().Settings(), 400'000);
   double area = 0.0;
   double square = 0.0;
   for (std::size_t v = 0; v < run.scene.VertexAreas().size(); ++v)
@@ -163,7 +163,7 @@ TEST_P(Case7, LampsInOddPlaces)
   for (const auto& [what, lamp] : lamps)
   {
     SCOPED_TRACE(what);
-    const SoundRun run(box, lamp, GetParam().Settings(), 4'000);
+    const TracedMap run(box, lamp, GetParam().Settings(), 4'000);
     EXPECT_GT(run.balance.emitted, 0u);
   }
   Report("lamps where nobody would put them", std::to_string(lamps.size()) + " lamps: sound maps");
@@ -178,7 +178,8 @@ TEST_P(Case7, LampsThatAreNoneAreRefused)
     PointLamp{ { std::nan(""), 0.0, 0.0 }, 1.0 }, EmittingFacets{} };
   for (std::size_t i = 0; i < lamps.size(); ++i)
   {
-    EXPECT_THROW(SoundRun(plane, lamps[i], GetParam().Settings(), 1), InvalidInput) << "lamp " << i;
+    EXPECT_THROW(TracedMap(plane, lamps[i], GetParam().Settings(), 1), InvalidInput)
+      << "lamp " << i;
   }
   Report(
     "a lamp without direction, cone, sign or place", std::to_string(lamps.size()) + " refused");

@@ -52,7 +52,7 @@ TEST_P(Case5, ClosedShapesDoNotLeak)
   std::uint64_t segments = 0;
   for (const Shape& shape : shapes)
   {
-    const SoundRun run(Shapes::WithReflectance(shape.surface, 0.999f),
+    const TracedMap run(Shapes::WithReflectance(shape.surface, 0.999f),
       PointLamp{ shape.lamp, 1000.0 }, settings, LongTests() ? 200'000 : 2'000);
     segments += run.balance.segments;
     EXPECT_EQ(run.balance.escaped, 0u);
@@ -72,7 +72,7 @@ TEST_P(Case6, LongPathsEndAndAddUp)
   double largest = 0.0;
   for (const float reflectance : { 0.95f, 0.99f, 0.999f })
   {
-    const SoundRun run(Shapes::WithReflectance(sphere, reflectance),
+    const TracedMap run(Shapes::WithReflectance(sphere, reflectance),
       PointLamp{ { 0.3, 0.2, 0.1 }, 1000.0 }, GetParam().Settings(), 6'000);
     const double rho = reflectance;
     const double emitted = static_cast<double>(run.balance.emitted);
@@ -93,7 +93,7 @@ TEST_P(Case6, NothingAbsorbsAndTheRunStillEnds)
 {
   TraceSettings settings = GetParam().Settings();
   settings.maximumPathLength = 1000;
-  const SoundRun run(Room(1.0f), RoomLamp, settings, 2048);
+  const TracedMap run(Room(1.0f), RoomLamp, settings, 2048);
   EXPECT_EQ(run.balance.cutOff, run.balance.emitted);
   EXPECT_EQ(run.balance.segments, 1000 * run.balance.emitted);
   Report(
@@ -159,12 +159,12 @@ TEST(Case8, SumsEndARunBeforeTheyOverflow)
 
 TEST_P(Case8Flux, FluxScalesTheMapAndNothingElse)
 {
-  const SoundRun one(
+  const TracedMap one(
     Room(0.5f), PointLamp{ { -1.0, 0.5, 0.8 }, 1.0 }, GetParam().Settings(), 20'000);
   double largest = 0.0;
   for (const double flux : { 1e-12, 1e-3, 1e12 })
   {
-    const SoundRun run(
+    const TracedMap run(
       Room(0.5f), PointLamp{ { -1.0, 0.5, 0.8 }, flux }, GetParam().Settings(), 20'000);
     for (std::size_t v = 0; v < run.front.direct.size(); ++v)
     {
@@ -182,11 +182,11 @@ TEST_P(Case8Flux, FluxScalesTheMapAndNothingElse)
 TEST_P(Case9, SixtyFourThreadsGiveTheSameBits)
 {
   TraceSettings settings = GetParam().Settings();
-  const SoundRun few(Room(0.6f), RoomLamp, settings, 50'000);
+  const TracedMap few(Room(0.6f), RoomLamp, settings, 50'000);
   for (const int threads : { 3, 8, 64 })
   {
     settings.threads = threads;
-    const SoundRun many(Room(0.6f), RoomLamp, settings, 50'000);
+    const TracedMap many(Room(0.6f), RoomLamp, settings, 50'000);
     EXPECT_EQ(many.front.direct, few.front.direct) << threads;
     EXPECT_EQ(many.front.indirect, few.front.indirect) << threads;
     EXPECT_EQ(many.front.standardError, few.front.standardError) << threads;
@@ -214,10 +214,10 @@ TEST_P(Case9, OrderChangesTheMapByNoMoreThanNoise)
     facet = { place[facet.z], place[facet.x], place[facet.y] };
   }
   std::shuffle(shuffled.facets.begin(), shuffled.facets.end(), random);
-  const SoundRun first(surface, RoomLamp, GetParam().Settings(), 100'000);
+  const TracedMap first(surface, RoomLamp, GetParam().Settings(), 100'000);
   TraceSettings other = GetParam().Settings();
   other.seed = 2; // or both would share most of their noise
-  const SoundRun second(shuffled, RoomLamp, other, 100'000);
+  const TracedMap second(shuffled, RoomLamp, other, 100'000);
   double squares = 0.0;
   double variances = 0.0;
   for (std::size_t p = 0; p < place.size(); ++p)

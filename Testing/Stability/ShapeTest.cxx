@@ -33,12 +33,12 @@ INSTANTIATE_TEST_SUITE_P(Stability, Case3, AllWays(), NameOfWay);
 TEST_P(Case2, LengthOfNormalsDoesNotMatter)
 {
   Shapes::Surface surface = Sphere();
-  const SoundRun unit(surface, Sun, GetParam().Settings(), Photons);
+  const TracedMap unit(surface, Sun, GetParam().Settings(), Photons);
   for (std::size_t v = 0; v < surface.normals.size(); ++v)
   {
     surface.normals[v] *= std::ldexp(1.0, static_cast<int>(v % 133) - 66); // 1e-20 to 1e20
   }
-  const SoundRun scaled(surface, Sun, GetParam().Settings(), Photons);
+  const TracedMap scaled(surface, Sun, GetParam().Settings(), Photons);
   EXPECT_EQ(scaled.front.direct, unit.front.direct);
   EXPECT_EQ(scaled.front.indirect, unit.front.indirect);
   Report("normals that are not unit vectors", "lengths of 1e-20 to 1e20: the same bits");
@@ -54,7 +54,7 @@ TEST_P(Case2, NormalsThatSayNothingAreReplaced)
   {
     surface.normals[v] = glm::dvec3(Bad[replaced % 3]);
   }
-  const SoundRun run(surface, Sun, GetParam().Settings(), Photons);
+  const TracedMap run(surface, Sun, GetParam().Settings(), Photons);
   EXPECT_EQ(run.scene.Notes().replacedNormals, replaced);
   Report("zero, NaN and infinite normals", std::to_string(replaced) + " replaced and noted");
 }
@@ -86,7 +86,7 @@ TEST_P(Case2, NormalsAwayFromTheirFacets)
           n = glm::cross(n, glm::dvec3(0.3, 0.9, 0.1));
       }
     }
-    const SoundRun run(surface, Sun, GetParam().Settings(), Photons);
+    const TracedMap run(surface, Sun, GetParam().Settings(), Photons);
     largest = std::max(largest, run.fluxCut / run.flux);
   }
   char text[80];
@@ -99,7 +99,7 @@ TEST_P(Case2, VerticesWithoutFacetsAreDark)
   Shapes::Surface surface = Sphere();
   surface.points.push_back({ 5.0, 5.0, 5.0 });
   surface.normals.push_back({ 0.0, 0.0, 1.0 });
-  const SoundRun run(surface, Sun, GetParam().Settings(), Photons);
+  const TracedMap run(surface, Sun, GetParam().Settings(), Photons);
   EXPECT_EQ(run.front.direct.back(), 0.0);
   EXPECT_EQ(run.front.standardError.back(), 0.0);
   Report("division by an area of 0", "a vertex without a facet has 0 lx");
@@ -124,7 +124,7 @@ TEST_P(Case2, ANeedleFanAndASharedCorner)
   surface.facets.emplace_back(0, 1, Around + 1);
   surface.facets.emplace_back(0, Around + 1, 300);
   surface = Shapes::WithReflectance(surface, 0.5f);
-  const SoundRun run(surface, Sun, GetParam().Settings(), Photons);
+  const TracedMap run(surface, Sun, GetParam().Settings(), Photons);
   Report("a vertex of 1000 needles that a sharp edge shares", "a sound map");
 }
 
@@ -152,7 +152,7 @@ TEST_P(Case3, TrianglesOfEveryKindOfBadness)
   surface.facets.emplace_back(3, 3, 4);                // an index twice
   surface.facets.emplace_back(0, 1, 2);                // a third facet on edges of the room
   surface = Shapes::WithReflectance(surface, 0.7f);
-  const SoundRun run(
+  const TracedMap run(
     surface, PointLamp{ { 0.3, 0.3, 1.0 }, 1000.0 }, GetParam().Settings(), 50'000);
   EXPECT_EQ(run.balance.escaped, 0u);
   EXPECT_GE(run.scene.Notes().droppedFacets, 3u);
@@ -170,7 +170,7 @@ TEST_P(Case3, AGiantBesideDust)
     surface, Shapes::Rectangle({ -50.0, -50.0, 0.0 }, { 100.0, 0.0, 0.0 }, { 0.0, 100.0, 0.0 }, 1));
   surface = Shapes::WithReflectance(surface, 0.5f);
   const SpotLamp lamp{ { 0.0, 0.0, 0.1 }, { 0.0, 0.0, -1.0 }, 0.04, 0.0, 1000.0 };
-  const SoundRun run(surface, lamp, GetParam().Settings(), 200'000);
+  const TracedMap run(surface, lamp, GetParam().Settings(), 200'000);
   double dust = 0.0;
   for (std::size_t v = 0; v + 4 < run.front.direct.size(); ++v)
   {

@@ -62,10 +62,10 @@ def main(folder, page):
     missing = [CASES[case] for case in CASES if case not in OPTIONAL and not any(key[0] == case for key in found)]
     if missing:
         sys.exit(f"no results in {folder} of: {', '.join(missing)}")
-    lines = ["| case | test | protects against | measured |", "|---|---|---|---|"]
-    for (case, name), (protects, measured) in sorted(found.items()):
-        lines.append(f"| {case} {CASES[case]} | {name} | {protects} | {'; '.join(sorted(measured))} |")
-    put_table(page, "the tests write", lines)
+    put_table(page, "the tests write", [
+        {"case": f"{case} {CASES[case]}", "test": name, "protects against": protects,
+         "measured": "; ".join(sorted(measured))}
+        for (case, name), (protects, measured) in sorted(found.items())])
 
 
 if __name__ == "__main__":

@@ -37,9 +37,7 @@ def main(folder, page):
     missing = [case for case in WANTED if not any(row[0].startswith(case + " ") for row in rows)]
     if missing:
         sys.exit(f"no results in {folder} of the cases {', '.join(missing)}")
-    lines = [f"| {' | '.join(HEAD)} |", "|" + "---|" * len(HEAD)]
-    lines += [f"| {' | '.join(row)} |" for row in sorted(rows, key=in_order)]
-    put_table(page, "the validation writes", lines)
+    put_table(page, "the validation writes", [dict(zip(HEAD, row)) for row in sorted(rows, key=in_order)])
 
 
 if __name__ == "__main__":

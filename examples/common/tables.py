@@ -13,10 +13,10 @@ def text(value, digits=3):
     return f"{value:.{digits - 1}e}"
 
 
-def markdown(rows):
-    """Rows (dicts of the same keys) as a Markdown table, columns padded."""
+def markdown(rows, padded=True):
+    """Rows (dicts of the same keys) as a Markdown table, its columns padded if asked."""
     table = [list(rows[0])] + [[text(v) for v in row.values()] for row in rows]
-    widths = [max(len(line[i]) for line in table) for i in range(len(table[0]))]
+    widths = [max(len(line[i]) for line in table) if padded else 1 for i in range(len(table[0]))]
     lines = ["| " + " | ".join(c.ljust(w) for c, w in zip(line, widths)) + " |" for line in table]
     lines.insert(1, "|" + "|".join("-" * (w + 2) for w in widths) + "|")
     return "\n".join(lines)

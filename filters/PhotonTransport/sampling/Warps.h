@@ -15,8 +15,6 @@
 namespace PhotonTransport
 {
 
-constexpr float InversePi = 0.31830988618379067f;
-
 /// Uniform on the unit disk, density 1/pi by area. Shirley and Chiu, "A Low Distortion Map Between
 /// Disk and Square", 1997.
 inline glm::vec2 ConcentricDisk(float u, float v)
@@ -51,12 +49,6 @@ inline glm::vec3 CosineHemisphere(float u, float v)
   return { p.x, p.y, std::sqrt(1.0f - SquaredRadius(p)) };
 }
 
-/// Density of CosineHemisphere by solid angle, 1/sr.
-inline float CosineHemispherePdf(float cosine)
-{
-  return std::max(0.0f, cosine) * InversePi;
-}
-
 /// Directions with density 1/(4 pi) by solid angle.
 inline glm::vec3 UniformSphere(float u, float v)
 {
@@ -80,17 +72,6 @@ inline glm::vec3 PowerCosineCone(float u, float v, float exponent, float cosMax)
   const float sine2 = (1.0f - cosine) * (1.0f + cosine);
   const float stretch = r2 > 0.0f ? std::sqrt(std::max(0.0f, sine2) / r2) : 0.0f;
   return { stretch * p.x, stretch * p.y, cosine };
-}
-
-/// Density of PowerCosineCone by solid angle, 1/sr.
-inline float PowerCosineConePdf(float cosine, float exponent, float cosMax)
-{
-  if (cosine < cosMax)
-  {
-    return 0.0f;
-  }
-  const float power = exponent + 1.0f;
-  return power * std::pow(cosine, exponent) * 0.5f * InversePi / (1.0f - std::pow(cosMax, power));
 }
 
 /// Barycentric coordinates (of the second and third corner) uniform over a triangle, by folding

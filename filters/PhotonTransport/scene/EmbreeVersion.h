@@ -12,17 +12,6 @@
 namespace PhotonTransport
 {
 
-inline void IntersectFirst(RTCScene scene, RTCRayHit& rayHit)
-{
-#if ILLUMINATION_EMBREE_VERSION >= 4
-  rtcIntersect1(scene, &rayHit, nullptr);
-#else
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene, &context, &rayHit);
-#endif
-}
-
 /// @param valid -1 for each ray in use, else 0; aligned to 32 bytes.
 inline void IntersectFirst(RTCScene scene, const int* valid, RTCRayHit8& rayHits)
 {

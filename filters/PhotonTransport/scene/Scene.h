@@ -93,7 +93,6 @@ public:
 
   const std::vector<Facet>& Facets() const { return this->FacetRecords; }
   const std::vector<Vertex>& Vertices() const { return this->VertexRecords; }
-  const FacetRings& Rings() const { return this->VertexRings; }
   /// Area vectors of the ring of a vertex.
   Range<RingAreas> AreasOfRing(std::uint32_t vertex) const
   {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All blocks of a composite data set are one scene, and its structure comes back.
-#include "TestTools.h"
+#include "Messages.h"
+#include "OutputData.h"
+
+#include "vtkIlluminationMap.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkImageData.h"
@@ -45,31 +48,30 @@ void Appended(vtkPolyData* first, vtkPolyData* second, vtkIlluminationMap* illum
   illuminate->Update();
 }
 
-void CheckBlock(
-  vtkPolyData* block, vtkPolyData* source, vtkDataArray* whole, vtkIdType offset, Checks& check)
+void CheckBlock(vtkPolyData* block, vtkPolyData* source, vtkDataArray* whole, vtkIdType offset)
 {
   vtkDataArray* map = block ? PointArray(block, "Illuminance") : nullptr;
-  check(map && block->GetPoints() == source->GetPoints(), "the block comes back with a map");
+  EXPECT_TRUE(map && block->GetPoints() == source->GetPoints())
+    << "the block comes back with a map";
   for (vtkIdType i = 0; map && i < map->GetNumberOfTuples(); ++i)
   {
-    check(map->GetTuple1(i) == whole->GetTuple1(offset + i), "the block's map is the scene's");
+    EXPECT_EQ(map->GetTuple1(i), whole->GetTuple1(offset + i)) << "the block's map is the scene's";
   }
 }
 
 } // namespace
 
-int TestIlluminationMapComposite(int, char*[])
+TEST(IlluminationMap, BlocksAreOneSceneAndKeepTheirStructure)
 {
-  Checks check;
   const auto sphere = Sphere();
   const auto floor = Floor();
   vtkNew<vtkIlluminationMap> reference;
   Appended(sphere, floor, reference);
   vtkDataArray* whole = PointArray(reference->GetOutput(), "Illuminance");
   // The middle of the floor is in the sphere's shadow, from straight above.
-  check(whole->GetTuple1(sphere->GetNumberOfPoints() + 220) <
-      0.1 * whole->GetTuple1(sphere->GetNumberOfPoints()),
-    "blocks shade each other");
+  EXPECT_LT(whole->GetTuple1(sphere->GetNumberOfPoints() + 220),
+    0.1 * whole->GetTuple1(sphere->GetNumberOfPoints()))
+    << "blocks shade each other";
 
   vtkNew<vtkMultiBlockDataSet> inner;
   inner->SetBlock(0, floor);
@@ -83,17 +85,17 @@ int TestIlluminationMapComposite(int, char*[])
   illuminate->SetPhotons(50000);
   illuminate->Update();
   auto* output = vtkMultiBlockDataSet::SafeDownCast(illuminate->GetOutputDataObject(0));
-  check(output && output->GetNumberOfBlocks() == 4 && !output->GetBlock(2), "structure");
+  EXPECT_TRUE(output && output->GetNumberOfBlocks() == 4 && !output->GetBlock(2)) << "structure";
   if (output)
   {
-    CheckBlock(vtkPolyData::SafeDownCast(output->GetBlock(0)), sphere, whole, 0, check);
+    CheckBlock(vtkPolyData::SafeDownCast(output->GetBlock(0)), sphere, whole, 0);
     auto* nested = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(3));
-    check(nested != nullptr, "nested structure");
+    EXPECT_NE(nested, nullptr) << "nested structure";
     CheckBlock(nested ? vtkPolyData::SafeDownCast(nested->GetBlock(0)) : nullptr, floor, whole,
-      sphere->GetNumberOfPoints(), check);
-    check(vtkImageData::SafeDownCast(output->GetBlock(1)) != nullptr, "other blocks pass through");
-    check(FieldText(output, "Notes").find("1 blocks are not polygonal") != std::string::npos,
-      "and are noted");
+      sphere->GetNumberOfPoints());
+    EXPECT_NE(vtkImageData::SafeDownCast(output->GetBlock(1)), nullptr)
+      << "other blocks pass through";
+    EXPECT_TRUE(Holds(FieldText(output, "Notes"), "1 blocks are not polygonal")) << "and are noted";
   }
 
   vtkNew<vtkPartitionedDataSetCollection> collection;
@@ -102,15 +104,14 @@ int TestIlluminationMapComposite(int, char*[])
   illuminate->SetInputData(collection);
   illuminate->Update();
   auto* parts = vtkPartitionedDataSetCollection::SafeDownCast(illuminate->GetOutputDataObject(0));
-  check(parts && parts->GetNumberOfPartitionedDataSets() == 2, "collection");
+  EXPECT_TRUE(parts && parts->GetNumberOfPartitionedDataSets() == 2) << "collection";
   if (parts)
   {
     CheckBlock(vtkPolyData::SafeDownCast(parts->GetPartitionAsDataObject(1, 0)), floor, whole,
-      sphere->GetNumberOfPoints(), check);
+      sphere->GetNumberOfPoints());
   }
   illuminate->SetInputData(floor); // back to a plain surface
   illuminate->Update();
-  check(illuminate->GetOutput() && PointArray(illuminate->GetOutput(), "Illuminance"),
-    "the type of the output follows the input");
-  return check.Failures();
+  EXPECT_TRUE(illuminate->GetOutput() && PointArray(illuminate->GetOutput(), "Illuminance"))
+    << "the type of the output follows the input";
 }

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Abort ends the run soon and leaves a valid map of the photons that were traced.
-#include "TestTools.h"
+#include "OutputData.h"
+
+#include "vtkIlluminationMap.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkSphereSource.h"
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 
@@ -33,9 +37,8 @@ void AbortAfterSomeProgress(vtkObject* caller, unsigned long, void* clientData, 
 
 } // namespace
 
-int TestIlluminationMapAbort(int, char*[])
+TEST(IlluminationMap, AbortLeavesAMapOfThePhotonsTraced)
 {
-  Checks check;
   vtkNew<vtkSphereSource> sphere;
   vtkNew<vtkIlluminationMap> illuminate;
   illuminate->SetInputConnection(sphere->GetOutputPort());
@@ -49,23 +52,23 @@ int TestIlluminationMapAbort(int, char*[])
   illuminate->Update();
 
   vtkPolyData* output = illuminate->GetOutput();
-  check(watch.progressEvents >= 4 && !watch.falls, "progress rises");
-  check(FieldText(output, "StoppedBy") == "abort\n", "the output says what ended it");
+  EXPECT_TRUE(watch.progressEvents >= 4 && !watch.falls) << "progress rises";
+  EXPECT_EQ(FieldText(output, "StoppedBy"), "abort\n") << "the output says what ended it";
   const double emitted = FieldValue(output, "PhotonsEmitted");
-  check(emitted > 0.0 && emitted < 4e8, "a part was traced: " + std::to_string(emitted));
-  check(emitted == FieldValue(output, "PhotonsAbsorbed") + FieldValue(output, "PhotonsEscaped"),
-    "the partial run is balanced");
+  EXPECT_TRUE(emitted > 0.0 && emitted < 4e8) << "a part was traced: " << emitted;
+  EXPECT_EQ(emitted, FieldValue(output, "PhotonsAbsorbed") + FieldValue(output, "PhotonsEscaped"))
+    << "the partial run is balanced";
   vtkDataArray* map = PointArray(output, "Illuminance");
   // The pole faces the light: 1000 lx.
-  check(map &&
-      std::fabs(map->GetTuple1(0) - 1000.0) <
-        5.0 * PointArray(output, "StandardError")->GetTuple1(0) + 1.0,
-    "the partial map is right");
+  EXPECT_TRUE(map &&
+    std::fabs(map->GetTuple1(0) - 1000.0) <
+      5.0 * PointArray(output, "StandardError")->GetTuple1(0) + 1.0)
+    << "the partial map is right";
 
   illuminate->RemoveObserver(tag);
   illuminate->SetAbortExecute(0);
   illuminate->SetPhotons(10000);
   illuminate->Update();
-  check(FieldText(illuminate->GetOutput(), "StoppedBy") == "photon limit\n", "and it runs again");
-  return check.Failures();
+  EXPECT_EQ(FieldText(illuminate->GetOutput(), "StoppedBy"), "photon limit\n")
+    << "and it runs again";
 }

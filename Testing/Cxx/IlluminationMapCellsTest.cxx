@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every kind of cell: polygons and strips count as triangles, vertices and lines stay unlit, and
 // cell arrays are read in the order of vertices, lines, polygons, strips.
-#include "TestTools.h"
+#include "OutputData.h"
+
+#include "vtkIlluminationMap.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -9,11 +11,12 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 
-int TestIlluminationMapCells(int, char*[])
+TEST(IlluminationMap, TakesEveryKindOfCell)
 {
-  Checks check;
   // Three unit squares in a row: an L-shaped (concave) hexagon and a square make up the first two,
   // the third is a strip; one point more that only a line and a vertex use.
   vtkNew<vtkPoints> points;
@@ -61,23 +64,23 @@ int TestIlluminationMapCells(int, char*[])
   illuminate->Update();
   vtkPolyData* output = illuminate->GetOutput();
   vtkDataArray* map = PointArray(output, "Illuminance");
-  check(output->GetNumberOfCells() == 5 && output->GetNumberOfPoints() == 10, "cells pass through");
-  check(map != nullptr, "a map");
+  EXPECT_TRUE(output->GetNumberOfCells() == 5 && output->GetNumberOfPoints() == 10)
+    << "cells pass through";
+  EXPECT_NE(map, nullptr) << "a map";
   for (vtkIdType i = 0; map && i < 9; ++i)
   {
     // Parallel light from straight above: 1000 lx at every point of the plane, within 5 standard
     // errors of 8 replicates (Student's t with 7 degrees of freedom: 0.2 %) or Sobol's remainder.
     const double tolerance = 5.0 * PointArray(output, "StandardError")->GetTuple1(i) + 1.0;
-    check(std::fabs(map->GetTuple1(i) - 1000.0) < tolerance,
-      "point " + std::to_string(i) + ": " + std::to_string(map->GetTuple1(i)));
+    EXPECT_LT(std::fabs(map->GetTuple1(i) - 1000.0), tolerance)
+      << "point " << i << ": " << map->GetTuple1(i);
   }
-  check(map && map->GetTuple1(9) == 0.0, "a point without a surface stays unlit");
+  EXPECT_TRUE(map && map->GetTuple1(9) == 0.0) << "a point without a surface stays unlit";
 
   illuminate->SetLampType(vtkIlluminationMap::EMITTING_FACETS);
   illuminate->SetExitanceArray("Exitance");
   illuminate->Update();
   // The strip's square metre alone shines: 100 lm.
-  check(std::fabs(FieldValue(illuminate->GetOutput(), "EmittedFlux") - 100.0) < 1e-3,
-    "cell values belong to the right cells");
-  return check.Failures();
+  EXPECT_LT(std::fabs(FieldValue(illuminate->GetOutput(), "EmittedFlux") - 100.0), 1e-3)
+    << "cell values belong to the right cells";
 }

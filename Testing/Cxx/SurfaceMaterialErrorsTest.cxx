@@ -11,76 +11,75 @@ namespace
 {
 
 /// Expects the message, and the input without new arrays.
-void ExpectError(vtkSurfaceMaterial* filter, const std::string& message, Checks& check)
+void ExpectError(vtkSurfaceMaterial* filter, const std::string& message)
 {
-  const std::string error = ErrorOf(filter);
-  check(
-    error.find(message) != std::string::npos, "expected '" + message + "', not '" + error + "'");
+  EXPECT_TRUE(Holds(ErrorOf(filter), message));
   auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
   output = output ? output : Leaf(filter, 1);
-  check(output && output->GetNumberOfPoints() == 9 && !HasMaterial(output),
-    "the input passes through after '" + message + "'");
+  EXPECT_TRUE(output && output->GetNumberOfPoints() == 9 && !HasMaterial(output))
+    << "the input passes through after '" << message << "'";
 }
 
-void CheckSettingErrors(Checks& check)
+} // namespace
+
+TEST(SurfaceMaterialErrors, SettingsOutOfRangeAreRefused)
 {
   vtkNew<vtkSurfaceMaterial> filter;
   filter->SetInputData(Plane());
   filter->SetDiffuseReflectance(0.5, 1.25, 0.5);
-  ExpectError(filter, "DiffuseReflectance (green) is 1.25; it must be within [0, 1]", check);
+  ExpectError(filter, "DiffuseReflectance (green) is 1.25; it must be within [0, 1]");
   filter->SetDiffuseReflectance(0.5, 0.5, std::nan(""));
-  ExpectError(filter, "DiffuseReflectance (blue) is nan", check);
+  ExpectError(filter, "DiffuseReflectance (blue) is nan");
   filter->SetDiffuseReflectance(0.25, 0.5, 0.25);
   filter->SetClearTransmittance(-0.5, 0.0, 0.0);
-  ExpectError(filter, "ClearTransmittance (red) is -0.5", check);
+  ExpectError(filter, "ClearTransmittance (red) is -0.5");
   filter->SetClearTransmittance(0.25, 0.25, 0.25);
   filter->SetGlossyReflectance(0.5, 0.5, 0.5);
   ExpectError(filter,
-    "the reflectances and transmittances (green) sum to 1.25; they must not exceed 1 together",
-    check);
+    "the reflectances and transmittances (green) sum to 1.25; they must not exceed 1 together");
   filter->SetGlossyReflectance(0.0, 0.0, 0.0);
   filter->SetRoughness(0.0);
-  ExpectError(filter, "Roughness is 0; it must be within (0, 1]", check);
+  ExpectError(filter, "Roughness is 0; it must be within (0, 1]");
   filter->SetRoughness(1.0);
   filter->SetRefractiveIndex(0.75);
-  ExpectError(filter, "RefractiveIndex is 0.75; it must be within [1, 4]", check);
+  ExpectError(filter, "RefractiveIndex is 0.75; it must be within [1, 4]");
   filter->SetRefractiveIndex(4.0);
-  check(ErrorOf(filter).empty() && HasMaterial(filter->GetOutput()), "after errors it works");
+  EXPECT_TRUE(ErrorOf(filter).empty() && HasMaterial(filter->GetOutput()))
+    << "after errors it works";
   // Thirds and fifths that are 1 together must not fail for their rounding.
   filter->SetDiffuseReflectance(1.0 / 3, 0.2, 0.7);
   filter->SetGlossyReflectance(1.0 / 3, 0.6, 0.1);
   filter->SetClearTransmittance(1.0 / 3, 0.2, 0.2);
-  check(ErrorOf(filter).empty(), "shares that sum to 1 are fine");
+  EXPECT_TRUE(ErrorOf(filter).empty()) << "shares that sum to 1 are fine";
 }
 
-void CheckPlaceErrors(Checks& check)
+TEST(SurfaceMaterialErrors, PlacesThatAreNotThereAreRefused)
 {
   vtkNew<vtkSurfaceMaterial> filter;
   filter->SetInputData(MultiBlock());
   filter->AddBlock(9);
-  ExpectError(
-    filter, "there is no block 9; the flat indices of the input's blocks are 0 to 7", check);
+  ExpectError(filter, "there is no block 9; the flat indices of the input's blocks are 0 to 7");
   filter->RemoveAllBlocks();
   filter->AddBlock(-1);
-  ExpectError(filter, "there is no block -1", check);
+  ExpectError(filter, "there is no block -1");
   filter->RemoveAllBlocks();
   filter->AddBlock(7);
-  ExpectError(filter, "none of the chosen blocks is a surface", check);
+  ExpectError(filter, "none of the chosen blocks is a surface");
   filter->RemoveAllBlocks();
   filter->AddBlock(3);
   filter->SetCellArray("Part");
-  ExpectError(filter, "there is no cell array 'Part' of block 3", check);
+  ExpectError(filter, "there is no cell array 'Part' of block 3");
 
   const auto plane = Plane();
   AddCells<vtkIntArray>(plane, "Part", 1, { 7, 8, 7, 9 });
   filter->SetInputData(plane);
   filter->SetCellValue(5);
-  ExpectError(filter, "no cell has the value 5 in cell array 'Part'", check);
+  ExpectError(filter, "no cell has the value 5 in cell array 'Part'");
   filter->SetCellArray("None");
-  check(ErrorOf(filter).empty(), "None is no array, and a single surface has no blocks");
+  EXPECT_TRUE(ErrorOf(filter).empty()) << "None is no array, and a single surface has no blocks";
 }
 
-void CheckArrayErrors(Checks& check)
+TEST(SurfaceMaterialErrors, ArraysThatDoNotFitAreRefused)
 {
   vtkNew<vtkSurfaceMaterial> filter;
   filter->SetCellArray("Part");
@@ -91,7 +90,7 @@ void CheckArrayErrors(Checks& check)
     AddCells<vtkIntArray>(plane, "Part", 1, { 7, 8, 7, 9 });
     spoil(plane.Get());
     filter->SetInputData(plane);
-    ExpectError(filter, message, check);
+    ExpectError(filter, message);
   };
   expect("cell array 'Roughness' has 3 components; 1 is wanted",
     [](vtkPolyData* data)
@@ -118,15 +117,4 @@ void CheckArrayErrors(Checks& check)
     [](vtkPolyData* data) {
       AddCells<vtkFloatArray>(data, "ClearTransmittance", 1, { 1, 1, 1, 1 });
     });
-}
-
-} // namespace
-
-int TestSurfaceMaterialErrors(int, char*[])
-{
-  Checks check;
-  CheckSettingErrors(check);
-  CheckPlaceErrors(check);
-  CheckArrayErrors(check);
-  return check.Failures();
 }

@@ -145,7 +145,7 @@ glm::dvec3 TransformedPoint(vtkTransform* transform, const glm::dvec3& p)
 /// @param rounding Of a coordinate, relative to the largest; a sum over a glyph's thousand points
 /// has about 32 of it, and a few more come from the transform.
 void CheckMoved(const Luminaire& lamp, vtkPolyData* moved, const Place& place, double rounding,
-  const std::string& what, Checks& check)
+  const std::string& what)
 {
   vtkNew<vtkTransform> transform;
   place.setUp(transform);
@@ -156,12 +156,13 @@ void CheckMoved(const Luminaire& lamp, vtkPolyData* moved, const Place& place, d
   }
   catch (const InputError& error)
   {
-    check(false, what + ": " + error.what());
+    EXPECT_TRUE(false) << what << ": " << error.what();
     return;
   }
   const Parts before = std::visit(PartsOf(), lamp.lamp);
   const Parts after = std::visit(PartsOf(), found->lamp);
-  check(found->name == lamp.name && found->lamp.index() == lamp.lamp.index(), what + ": its kind");
+  EXPECT_TRUE(found->name == lamp.name && found->lamp.index() == lamp.lamp.index())
+    << what << ": its kind";
   constexpr double Sum = 64.0;
   const double size = 0.1 * place.scale; // at least, of each glyph
   double farthest = glm::length(TransformedPoint(transform, Position));
@@ -173,27 +174,53 @@ void CheckMoved(const Luminaire& lamp, vtkPolyData* moved, const Place& place, d
     const glm::dvec3 opposite = 2.0 * after.points[0] - after.points[i];
     const double error =
       std::min(glm::distance(after.points[i], point), glm::distance(opposite, point));
-    check(
-      error <= Sum * rounding * farthest, what + ": a point is off by " + std::to_string(error));
+    EXPECT_LE(error, Sum * rounding * farthest) << what << ": a point is off by " << error;
   }
   const double angle = Sum * rounding * farthest / size;
   for (std::size_t i = 0; i < before.directions.size(); ++i)
   {
     const double* expected = transform->TransformVector(&before.directions[i].x);
-    check(IsAlong({ expected[0], expected[1], expected[2] }, after.directions[i],
-            std::holds_alternative<LineLamp>(lamp.lamp), angle),
-      what + ": direction " + std::to_string(i));
+    EXPECT_TRUE(IsAlong({ expected[0], expected[1], expected[2] }, after.directions[i],
+      std::holds_alternative<LineLamp>(lamp.lamp), angle))
+      << what << ": direction " << i;
   }
   for (std::size_t i = 0; i < before.lengths.size(); ++i)
   {
-    check(std::fabs(after.lengths[i] / before.lengths[i] / place.scale - 1.0) <= angle,
-      what + ": length " + std::to_string(i) + " is " + std::to_string(after.lengths[i]));
+    EXPECT_LE(std::fabs(after.lengths[i] / before.lengths[i] / place.scale - 1.0), angle)
+      << what << ": length " << i << " is " << after.lengths[i];
   }
 }
 
 constexpr int LastType = vtkLuminaireSource::PHOTOMETRIC_FILE;
 
-void CheckPlaces(Checks& check)
+vtkSmartPointer<vtkPolyData> Appended(vtkPolyData* a, vtkPolyData* b)
+{
+  vtkNew<vtkAppendPolyData> append;
+  append->AddInputData(a);
+  append->AddInputData(b);
+  append->Update();
+  return append->GetOutput();
+}
+
+template <typename Filter>
+void CheckKept(const char* name)
+{
+  for (int type = 0; type <= LastType; ++type)
+  {
+    const auto source = PlacedSource(type);
+    const Place& place = Places.back();
+    vtkNew<Filter> filter;
+    filter->SetInputData(source->GetOutput());
+    filter->Update();
+    const auto turn = [](vtkTransform* t) { t->RotateX(40); };
+    CheckMoved(*ReadLuminaire(source->GetOutput()), Transformed(filter->GetOutput(), turn),
+      { place.name, 1.0, turn }, 0x1p-52, name + (" of type " + std::to_string(type)));
+  }
+}
+
+} // namespace
+
+TEST(LuminairePlace, LampGoesWhereItsGlyphGoes)
 {
   for (int type = 0; type <= LastType; ++type)
   {
@@ -207,22 +234,21 @@ void CheckPlaces(Checks& check)
       const std::string what = "type " + std::to_string(type) + " " + place.name;
       if (type == LastType && (mirrors || pointReflected))
       {
-        ExpectRefused(
-          Transformed(glyph, place.setUp), "it was mirrored, and its intensities", check);
+        ExpectRefused(Transformed(glyph, place.setUp), "it was mirrored, and its intensities");
         continue;
       }
-      CheckMoved(lamp, Transformed(glyph, place.setUp), place, 0x1p-52, what, check);
+      CheckMoved(lamp, Transformed(glyph, place.setUp), place, 0x1p-52, what);
       if (std::string(place.name) != "far away and turned")
       {
         CheckMoved(lamp, Transformed(glyph, place.setUp, vtkAlgorithm::SINGLE_PRECISION), place,
-          0x1p-23, what + " in single precision", check);
+          0x1p-23, what + " in single precision");
       }
     }
   }
 }
 
-/// A lamp that is turned back and forth is where it was; one that was not moved has the same bits.
-void CheckChains(Checks& check)
+// A lamp that is turned back and forth is where it was; one that was not moved has the same bits.
+TEST(LuminairePlace, ThereAndBackIsTheSamePlace)
 {
   for (int type = 0; type <= LastType; ++type)
   {
@@ -233,9 +259,9 @@ void CheckChains(Checks& check)
     const auto same = ReadLuminaire(Transformed(glyph, [](vtkTransform*) {}));
     const Parts before = std::visit(PartsOf(), lamp.lamp);
     const Parts after = std::visit(PartsOf(), same->lamp);
-    check(before.points == after.points && before.directions == after.directions &&
-        before.lengths == after.lengths,
-      what + " not moved: the same bits");
+    EXPECT_TRUE(before.points == after.points && before.directions == after.directions &&
+      before.lengths == after.lengths)
+      << what << " not moved: the same bits";
 
     const auto there = Transformed(glyph,
       [](vtkTransform* t)
@@ -251,13 +277,12 @@ void CheckChains(Checks& check)
         t->RotateX(-77);
         t->Translate(-1, -2, -3);
       });
-    CheckMoved(
-      lamp, back, { "", 1.0, [](vtkTransform*) {} }, 0x1p-48, what + " there and back", check);
+    CheckMoved(lamp, back, { "", 1.0, [](vtkTransform*) {} }, 0x1p-48, what + " there and back");
   }
 }
 
-/// What a lamp with sides of its own sends where: against the solid, by directions.
-void CheckMirrorImages(Checks& check)
+// What a lamp with sides of its own sends where: against the solid, by directions.
+TEST(LuminairePlace, MirroredSolidsShineMirrored)
 {
   const auto mirror = [](vtkTransform* t) { t->Scale(1, -1, 1); };
   for (const char* file : { "lateral.ldt", "lambertian.ies", "isotropic.ies" })
@@ -280,13 +305,13 @@ void CheckMirrorImages(Checks& check)
       const glm::dvec3 d(r * std::cos(2.4 * i), r * std::sin(2.4 * i), z);
       const double was = towards(lamp, d);
       const double is = towards(image, { d.x, -d.y, d.z });
-      check(std::fabs(was - is) <= 1e-6 * (1.0 + was),
-        std::string(file) + " mirrored: " + std::to_string(is) + " cd for " + std::to_string(was));
+      EXPECT_LE(std::fabs(was - is), 1e-6 * (1.0 + was))
+        << file << " mirrored: " << is << " cd for " << was;
     }
   }
 }
 
-void CheckRefusals(Checks& check)
+TEST(LuminairePlace, DistortedGlyphsAreRefused)
 {
   for (int type = 0; type <= LastType; ++type)
   {
@@ -295,42 +320,30 @@ void CheckRefusals(Checks& check)
     if (type != vtkLuminaireSource::LINE) // of which only two points tell, and any two are a line
     {
       const char* const words = "scaled unevenly, sheared or bent";
-      ExpectRefused(Transformed(glyph, [](vtkTransform* t) { t->Scale(1, 1, 1.2); }), words, check);
-      ExpectRefused(
-        Transformed(glyph, [](vtkTransform* t) { t->Scale(1.1, 1, 1.1); }), words, check);
+      ExpectRefused(Transformed(glyph, [](vtkTransform* t) { t->Scale(1, 1, 1.2); }), words);
+      ExpectRefused(Transformed(glyph, [](vtkTransform* t) { t->Scale(1.1, 1, 1.1); }), words);
       const double shear[16] = { 1, 0.3, 0.2, 0, 0, 1, 0.3, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-      ExpectRefused(
-        Transformed(glyph, [&](vtkTransform* t) { t->SetMatrix(shear); }), words, check);
+      ExpectRefused(Transformed(glyph, [&](vtkTransform* t) { t->SetMatrix(shear); }), words);
       // Nine digits of 1e8 are not enough for a lamp of less than a metre.
       ExpectRefused(
         Transformed(
           glyph, [](vtkTransform* t) { t->Translate(1e8, 0, 0); }, vtkAlgorithm::SINGLE_PRECISION),
-        "rounded off", check);
+        "rounded off");
     }
+    ExpectRefused(Transformed(glyph, [](vtkTransform* t) { t->Scale(0, 0, 0); }), "to one place");
     ExpectRefused(
-      Transformed(glyph, [](vtkTransform* t) { t->Scale(0, 0, 0); }), "to one place", check);
-    ExpectRefused(Transformed(glyph, [](vtkTransform* t) { t->Translate(std::nan(""), 0, 0); }),
-      "not finite", check);
+      Transformed(glyph, [](vtkTransform* t) { t->Translate(std::nan(""), 0, 0); }), "not finite");
     vtkNew<vtkPolyData> bare;
     bare->CopyStructure(glyph);
     bare->GetFieldData()->ShallowCopy(glyph->GetFieldData());
-    ExpectRefused(bare, "lost the point array 'LuminairePoint'", check);
+    ExpectRefused(bare, "lost the point array 'LuminairePoint'");
     bare->GetPointData()->ShallowCopy(glyph->GetPointData());
     bare->GetFieldData()->Initialize();
-    ExpectRefused(bare, "lost the field data that describe it", check);
+    ExpectRefused(bare, "lost the field data that describe it");
   }
 }
 
-vtkSmartPointer<vtkPolyData> Appended(vtkPolyData* a, vtkPolyData* b)
-{
-  vtkNew<vtkAppendPolyData> append;
-  append->AddInputData(a);
-  append->AddInputData(b);
-  append->Update();
-  return append->GetOutput();
-}
-
-void CheckAppended(Checks& check)
+TEST(LuminairePlace, AppendedLampsAreRefused)
 {
   vtkNew<vtkPlaneSource> plane;
   plane->Update();
@@ -340,39 +353,23 @@ void CheckAppended(Checks& check)
     const auto other = PlacedSource(type);
     other->SetDimming(0.5);
     other->Update();
-    ExpectRefused(Appended(lamp->GetOutput(), other->GetOutput()), "Group Datasets", check);
-    ExpectRefused(Appended(lamp->GetOutput(), lamp->GetOutput()), "Group Datasets", check);
+    ExpectRefused(Appended(lamp->GetOutput(), other->GetOutput()), "Group Datasets");
+    ExpectRefused(Appended(lamp->GetOutput(), lamp->GetOutput()), "Group Datasets");
     const auto moved =
       Transformed(lamp->GetOutput(), [](vtkTransform* t) { t->Translate(1, 0, 0); });
-    ExpectRefused(Appended(lamp->GetOutput(), moved), "Group Datasets", check);
-    ExpectRefused(Appended(lamp->GetOutput(), plane->GetOutput()), "Group Datasets", check);
-    check(!ReadLuminaire(Appended(plane->GetOutput(), lamp->GetOutput())),
-      "a lamp that a surface swallowed is none");
+    ExpectRefused(Appended(lamp->GetOutput(), moved), "Group Datasets");
+    ExpectRefused(Appended(lamp->GetOutput(), plane->GetOutput()), "Group Datasets");
+    EXPECT_FALSE(ReadLuminaire(Appended(plane->GetOutput(), lamp->GetOutput())))
+      << "a lamp that a surface swallowed is none";
   }
 }
 
-template <typename Filter>
-void CheckKept(const char* name, Checks& check)
+TEST(LuminairePlace, FiltersThatKeepTheGlyphKeepTheLamp)
 {
-  for (int type = 0; type <= LastType; ++type)
-  {
-    const auto source = PlacedSource(type);
-    const Place& place = Places.back();
-    vtkNew<Filter> filter;
-    filter->SetInputData(source->GetOutput());
-    filter->Update();
-    const auto turn = [](vtkTransform* t) { t->RotateX(40); };
-    CheckMoved(*ReadLuminaire(source->GetOutput()), Transformed(filter->GetOutput(), turn),
-      { place.name, 1.0, turn }, 0x1p-52, name + (" of type " + std::to_string(type)), check);
-  }
-}
-
-void CheckOtherFilters(Checks& check)
-{
-  CheckKept<vtkCleanPolyData>("vtkCleanPolyData", check);
-  CheckKept<vtkTriangleFilter>("vtkTriangleFilter", check);
-  CheckKept<vtkPolyDataNormals>("vtkPolyDataNormals", check);
-  CheckKept<vtkReverseSense>("vtkReverseSense", check);
+  CheckKept<vtkCleanPolyData>("vtkCleanPolyData");
+  CheckKept<vtkTriangleFilter>("vtkTriangleFilter");
+  CheckKept<vtkPolyDataNormals>("vtkPolyDataNormals");
+  CheckKept<vtkReverseSense>("vtkReverseSense");
 
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(Position.x + 0.01, Position.y, Position.z);
@@ -385,20 +382,6 @@ void CheckOtherFilters(Checks& check)
     clip->SetInputData(source->GetOutput());
     clip->SetClipFunction(plane);
     clip->Update();
-    ExpectRefused(clip->GetOutput(), "parts of its geometry were cut away", check);
+    ExpectRefused(clip->GetOutput(), "parts of its geometry were cut away");
   }
-}
-
-} // namespace
-
-int TestLuminairePlace(int, char*[])
-{
-  Checks check;
-  CheckPlaces(check);
-  CheckChains(check);
-  CheckMirrorImages(check);
-  CheckRefusals(check);
-  CheckAppended(check);
-  CheckOtherFilters(check);
-  return check.Failures();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The reader of photometric files: the surface it draws, field data, errors.
-#include "TestTools.h"
+#include "Messages.h"
+#include "OutputData.h"
 
 #include "vtkPhotometricReader.h"
 
@@ -8,7 +9,6 @@
 #include "vtkFeatureEdges.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkTestErrorObserver.h"
 
 #include <cmath>
 
@@ -58,16 +58,16 @@ double Volume(vtkPolyData* surface)
   return volume;
 }
 
-void CheckClosed(vtkPolyData* surface, const std::string& name, Checks& check)
+void CheckClosed(vtkPolyData* surface, const std::string& name)
 {
   vtkNew<vtkFeatureEdges> edges;
   edges->SetInputData(surface);
   edges->FeatureEdgesOff();
   edges->ManifoldEdgesOff();
   edges->Update();
-  check(surface->GetNumberOfCells() > 100, name + " has facets");
-  check(edges->GetOutput()->GetNumberOfCells() == 0, name + " is closed");
-  check(Volume(surface) > 0.0, name + " looks outwards");
+  EXPECT_GT(surface->GetNumberOfCells(), 100) << name << " has facets";
+  EXPECT_EQ(edges->GetOutput()->GetNumberOfCells(), 0) << name << " is closed";
+  EXPECT_GT(Volume(surface), 0.0) << name << " looks outwards";
 }
 
 /// Steps of 3 degrees and interpolation within the file's steps both lose at most the square of the
@@ -77,14 +77,25 @@ double SquaredStep(double degrees)
   return std::pow(degrees * Pi / 180.0, 2) / 8.0 + 1e-5;
 }
 
-void CheckShapes(Checks& check)
+} // namespace
+
+TEST(PhotometricReader, DrawsClosedSurfaces)
+{
+  for (const char* name : { "isotropic.ies", "isotropic.ldt", "lambertian.ies", "lateral.ldt",
+         "tilt_file.ies", "spots.ies" })
+  {
+    CheckClosed(Read(name), name);
+  }
+}
+
+TEST(PhotometricReader, DrawsIntensityAsDistance)
 {
   const auto even = Read("isotropic.ies", 2.0);
   // A facet's deepest point lies a step's square / 8 below the sphere in either direction.
   const double ball = 4.0 / 3.0 * Pi * 8.0;
   const double volume = Volume(even);
-  check(
-    volume < ball && volume > ball * (1.0 - 3.0 * 2.0 * SquaredStep(3.0)), "even light, a ball");
+  EXPECT_TRUE(volume < ball && volume > ball * (1.0 - 3.0 * 2.0 * SquaredStep(3.0)))
+    << "even light, a ball";
   const auto lambertian = Read("lambertian.ies");
   for (vtkIdType p = 0; p < lambertian->GetNumberOfPoints(); ++p)
   {
@@ -92,96 +103,77 @@ void CheckShapes(Checks& check)
     lambertian->GetPoint(p, x);
     // r = cos p is a ball about (0, 0, -1/2).
     const double radius = std::hypot(std::hypot(x[0], x[1]), x[2] + 0.5);
-    check(Near(radius, 0.5, SquaredStep(5.0)), "Lambertian light, a ball below the origin");
+    EXPECT_TRUE(Near(radius, 0.5, SquaredStep(5.0))) << "Lambertian light, a ball below the origin";
     const double candela = PointArray(lambertian, "LuminousIntensity")->GetTuple1(p);
-    check(Near(candela, 1900.0 * std::hypot(std::hypot(x[0], x[1]), x[2]), 1e-9),
-      "distance is in proportion to intensity");
+    EXPECT_TRUE(Near(candela, 1900.0 * std::hypot(std::hypot(x[0], x[1]), x[2]), 1e-9))
+      << "distance is in proportion to intensity";
   }
 }
 
-void CheckOrientation(Checks& check)
+TEST(PhotometricReader, DrawsDirectionsAsTheyAre)
 {
   for (const char* name :
     { "asymmetric_c.ies", "asymmetric_b.ies", "asymmetric_a.ies", "asymmetric.ldt" })
   {
     const auto surface = Read(name);
-    CheckClosed(surface, name, check);
+    CheckClosed(surface, name);
     double bounds[6];
     surface->GetBounds(bounds);
     const std::string what = name;
-    check(bounds[1] > 1.5 * -bounds[0], what + " is brighter to +x");
-    check(bounds[3] > 1.2 * -bounds[2], what + " is brighter to +y");
-    check(bounds[1] > 1.1 * bounds[3], what + " is brightest to +x");
-    check(bounds[5] < 1e-9 && bounds[4] < -0.8, what + " shines down");
+    EXPECT_GT(bounds[1], 1.5 * -bounds[0]) << what << " is brighter to +x";
+    EXPECT_GT(bounds[3], 1.2 * -bounds[2]) << what << " is brighter to +y";
+    EXPECT_GT(bounds[1], 1.1 * bounds[3]) << what << " is brightest to +x";
+    EXPECT_TRUE(bounds[5] < 1e-9 && bounds[4] < -0.8) << what << " shines down";
   }
 }
 
-void CheckFields(Checks& check)
+TEST(PhotometricReader, DescribesTheLuminaire)
 {
   const auto lambertian = Read("lambertian.ies");
   const double flux = FieldValue(lambertian, "LuminaireFlux");
-  check(Near(flux, 1900.0 * Pi, 1900.0 * 2.0 * Pi * SquaredStep(5.0)), "flux of the luminaire");
-  check(FieldValue(lambertian, "RatedFlux") == 7000.0, "flux of the lamps");
-  check(FieldValue(lambertian, "InputPower") == 70.0, "power");
-  check(FieldValue(lambertian, "Efficacy") == flux / 70.0, "efficacy");
-  check(
-    FieldText(lambertian, "Description") == "Example, Lambertian panel, COS-1\n", "description");
-  check(FieldText(lambertian, "PhotometricType") == "C\n", "type C");
-  check(
-    lambertian->GetFieldData()->GetAbstractArray("Notes") && FieldText(lambertian, "Notes").empty(),
-    "no notes on a file by the standard");
-  check(FieldText(Read("tilt_file.ies"), "Notes").find("no line tells the edition of LM-63") !=
-      std::string::npos,
-    "a note on a file that is not clear");
-  check(FieldText(Read("asymmetric_b.ies"), "PhotometricType") == "B\n", "type B");
-  check(FieldText(Read("asymmetric_a.ies"), "PhotometricType") == "A\n", "type A");
+  EXPECT_TRUE(Near(flux, 1900.0 * Pi, 1900.0 * 2.0 * Pi * SquaredStep(5.0)))
+    << "flux of the luminaire";
+  EXPECT_EQ(FieldValue(lambertian, "RatedFlux"), 7000.0) << "flux of the lamps";
+  EXPECT_EQ(FieldValue(lambertian, "InputPower"), 70.0) << "power";
+  EXPECT_EQ(FieldValue(lambertian, "Efficacy"), flux / 70.0) << "efficacy";
+  EXPECT_EQ(FieldText(lambertian, "Description"), "Example, Lambertian panel, COS-1\n")
+    << "description";
+  EXPECT_EQ(FieldText(lambertian, "PhotometricType"), "C\n") << "type C";
+  EXPECT_TRUE(
+    lambertian->GetFieldData()->GetAbstractArray("Notes") && FieldText(lambertian, "Notes").empty())
+    << "no notes on a file by the standard";
+  EXPECT_TRUE(
+    Holds(FieldText(Read("tilt_file.ies"), "Notes"), "no line tells the edition of LM-63"))
+    << "a note on a file that is not clear";
+  EXPECT_EQ(FieldText(Read("asymmetric_b.ies"), "PhotometricType"), "B\n") << "type B";
+  EXPECT_EQ(FieldText(Read("asymmetric_a.ies"), "PhotometricType"), "A\n") << "type A";
 }
 
-void CheckErrors(Checks& check)
+TEST(PhotometricReader, FilesThatCannotBeReadAreRefused)
 {
   vtkNew<vtkPhotometricReader> reader;
   const auto expect = [&](const std::string& message)
   {
-    vtkNew<vtkTest::ErrorObserver> observer;
-    const unsigned long tag = reader->AddObserver(vtkCommand::ErrorEvent, observer);
-    reader->Update();
-    reader->RemoveObserver(tag);
-    const std::string error = observer->GetErrorMessage();
-    check(error.find(message) != std::string::npos && error.find("ERROR:") == error.rfind("ERROR:"),
-      "expected '" + message + "', not '" + error + "'");
-    check(message.empty() == (reader->GetOutput()->GetNumberOfPoints() > 0), "no output on errors");
+    const std::string error = ErrorOf(reader);
+    EXPECT_TRUE(Holds(error, message));
+    EXPECT_EQ(message.empty(), error.empty()) << error;
+    EXPECT_EQ(message.empty(), reader->GetOutput()->GetNumberOfPoints() > 0)
+      << "no output on errors";
   };
   expect("FileName is empty");
   reader->SetFileName(DataFile("tilt.tlt").c_str());
   expect("has none of the extensions .ies, .ldt and .eul");
-  check(!reader->CanReadFile(reader->GetFileName()), "can't read another kind");
+  EXPECT_FALSE(reader->CanReadFile(reader->GetFileName())) << "can't read another kind";
   reader->SetFileName(DataFile("absent.ies").c_str());
   expect("can't open the photometric file '" + DataFile("absent.ies"));
-  check(!reader->CanReadFile(reader->GetFileName()), "can't read what is not there");
+  EXPECT_FALSE(reader->CanReadFile(reader->GetFileName())) << "can't read what is not there";
   reader->SetFileName(DataFile("broken.ies").c_str());
   expect("broken.ies', line 6: vertical angle 3 is '4O'; it must be a number");
-  check(reader->CanReadFile(reader->GetFileName()), "by its name it can be read");
+  EXPECT_TRUE(reader->CanReadFile(reader->GetFileName())) << "by its name it can be read";
   reader->SetFileName(DataFile("isotropic.ldt").c_str());
   reader->SetSize(0.0);
   expect("Size is 0; it must be a finite number above 0");
   reader->SetSize(1.0);
   expect("");
-  check(!reader->CanReadFile(nullptr), "no name");
-}
-
-} // namespace
-
-int TestPhotometricReader(int, char*[])
-{
-  Checks check;
-  for (const char* name : { "isotropic.ies", "isotropic.ldt", "lambertian.ies", "lateral.ldt",
-         "tilt_file.ies", "spots.ies" })
-  {
-    CheckClosed(Read(name), name, check);
-  }
-  CheckShapes(check);
-  CheckOrientation(check);
-  CheckFields(check);
-  CheckErrors(check);
-  return check.Failures();
+  EXPECT_FALSE(reader->CanReadFile(nullptr)) << "no name";
 }

@@ -2,7 +2,10 @@
 // Materials from Surface Material and lamps from Luminaire reach the tracer: effects go on by what
 // cells have and off by their switches, colours add up, each luminaire's part too, and what can't
 // be used gives one error.
-#include "TestTools.h"
+#include "Messages.h"
+#include "OutputData.h"
+
+#include "vtkIlluminationMap.h"
 
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
@@ -22,7 +25,7 @@ struct Ball
   vtkNew<vtkSphereSource> sphere;
   vtkNew<vtkSurfaceMaterial> material;
   vtkNew<vtkIlluminationMap> filter;
-  vtkNew<ErrorCounter> errors;
+  CaughtMessages messages;
 
   Ball()
   {
@@ -33,7 +36,6 @@ struct Ball
     this->filter->SetPhotons(100'000);
     this->filter->SetLampType(vtkIlluminationMap::PARALLEL);
     this->filter->SetRegisterBackSide(true);
-    this->filter->AddObserver(vtkCommand::ErrorEvent, this->errors);
   }
   vtkPolyData* Output()
   {
@@ -46,62 +48,65 @@ struct Ball
   }
 };
 
-void TestPresets(Checks& check)
+} // namespace
+
+TEST(IlluminationMapMaterials, EffectsGoOnByWhatCellsHave)
 {
   Ball ball;
   ball.material->SetPreset(vtkSurfaceMaterial::MIRROR);
-  check(ball.Says("specular reflection: on") && ball.Says("interreflection: off"), "a mirror");
-  check(ball.Says("colour: off"), "a mirror has no colour");
+  EXPECT_TRUE(ball.Says("specular reflection: on") && ball.Says("interreflection: off"))
+    << "a mirror";
+  EXPECT_TRUE(ball.Says("colour: off")) << "a mirror has no colour";
   ball.material->SetPreset(vtkSurfaceMaterial::CLEAR_GLASS);
-  check(ball.Says("clear transmission: on, 480 of 480"), "glass");
+  EXPECT_TRUE(ball.Says("clear transmission: on, 480 of 480")) << "glass";
   // Light crosses the pane above and lands on the one below.
   vtkDataArray* back = PointArray(ball.Output(), "IlluminanceBack");
-  check(back && back->GetRange()[1] > 100.0, "light behind glass");
+  EXPECT_TRUE(back && back->GetRange()[1] > 100.0) << "light behind glass";
   ball.filter->SetUseMaterialArrays(false);
-  check(ball.Says("clear transmission: off, no triangle"), "arrays switched off");
+  EXPECT_TRUE(ball.Says("clear transmission: off, no triangle")) << "arrays switched off";
 }
 
-void TestSwitches(Checks& check)
+TEST(IlluminationMapMaterials, EffectsGoOffByTheirSwitches)
 {
   Ball ball;
   ball.material->SetPreset(vtkSurfaceMaterial::CLEAR_GLASS);
-  check(FieldValue(ball.Output(), "FluxSwitchedOff") == 0.0, "all is on");
+  EXPECT_EQ(FieldValue(ball.Output(), "FluxSwitchedOff"), 0.0) << "all is on";
   ball.filter->SetClearTransmission(false);
   vtkPolyData* output = ball.Output();
-  check(ball.Says("clear transmission: off, switched off though"), "said");
+  EXPECT_TRUE(ball.Says("clear transmission: off, switched off though")) << "said";
   const double emitted = FieldValue(output, "EmittedFlux");
   const double lost = FieldValue(output, "FluxSwitchedOff");
   // Of the disk's flux nearly all meets the ball, and glass absorbs a few per cent.
-  check(lost > 0.8 * emitted && lost < emitted, "flux that was not carried");
-  check(FieldValue(output, "PhotonsEmitted") ==
-      FieldValue(output, "PhotonsAbsorbed") + FieldValue(output, "PhotonsEscaped") +
-        FieldValue(output, "PhotonsCutOff"),
-    "balance");
-  check(PointArray(output, "IlluminanceBack")->GetRange()[1] == 0.0, "none behind the glass");
+  EXPECT_TRUE(lost > 0.8 * emitted && lost < emitted) << "flux that was not carried";
+  EXPECT_EQ(FieldValue(output, "PhotonsEmitted"),
+    FieldValue(output, "PhotonsAbsorbed") + FieldValue(output, "PhotonsEscaped") +
+      FieldValue(output, "PhotonsCutOff"))
+    << "balance";
+  EXPECT_EQ(PointArray(output, "IlluminanceBack")->GetRange()[1], 0.0) << "none behind the glass";
 }
 
-void TestColours(Checks& check)
+TEST(IlluminationMapMaterials, ColoursAddUp)
 {
   Ball ball;
   ball.material->SetDiffuseReflectance(0.9, 0.5, 0.1);
   vtkPolyData* output = ball.Output();
   vtkDataArray* rgb = PointArray(output, "IlluminanceRGB");
   vtkDataArray* lux = PointArray(output, "Illuminance");
-  check(rgb && rgb->GetNumberOfComponents() == 3, "a map by colour");
+  EXPECT_TRUE(rgb && rgb->GetNumberOfComponents() == 3) << "a map by colour";
   for (vtkIdType p = 0; rgb && p < rgb->GetNumberOfTuples(); ++p)
   {
     const double* c = rgb->GetTuple3(p);
     const double sum = 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
     // The weights are floats in the core.
-    check(std::fabs(sum - lux->GetTuple1(p)) <= 1e-6 * lux->GetTuple1(p), "colours add up");
+    EXPECT_LE(std::fabs(sum - lux->GetTuple1(p)), 1e-6 * lux->GetTuple1(p)) << "colours add up";
   }
   ball.filter->SetColour(false);
   output = ball.Output();
-  check(!PointArray(output, "IlluminanceRGB"), "one channel");
-  check(ball.Says("colour: off, switched off though"), "said");
+  EXPECT_FALSE(PointArray(output, "IlluminanceRGB")) << "one channel";
+  EXPECT_TRUE(ball.Says("colour: off, switched off though")) << "said";
 }
 
-void TestLuminaires(Checks& check)
+TEST(IlluminationMapMaterials, PartsOfLuminairesAddUp)
 {
   Ball ball;
   vtkNew<vtkLuminaireSource> sun;
@@ -117,39 +122,37 @@ void TestLuminaires(Checks& check)
   vtkDataArray* bySun = PointArray(output, "Illuminance_Sun");
   vtkDataArray* byLamp = PointArray(output, "Illuminance_Lamp 2"); // it has no name of its own
   vtkDataArray* all = PointArray(output, "Illuminance");
-  check(bySun && byLamp, "parts by name");
+  EXPECT_TRUE(bySun && byLamp) << "parts by name";
   for (vtkIdType p = 0; bySun && byLamp && p < all->GetNumberOfTuples(); ++p)
   {
     const double sum = bySun->GetTuple1(p) + byLamp->GetTuple1(p);
-    check(std::fabs(sum - all->GetTuple1(p)) <= 1e-12 * all->GetTuple1(p), "parts add up");
+    EXPECT_LE(std::fabs(sum - all->GetTuple1(p)), 1e-12 * all->GetTuple1(p)) << "parts add up";
   }
   const double before = FieldValue(output, "EmittedFlux");
   lamp->SetDimming(0.5);
-  check(std::fabs(FieldValue(ball.Output(), "EmittedFlux") - (before - 500.0)) < 1e-9 * before,
-    "a dimmed luminaire is traced anew");
+  EXPECT_LT(std::fabs(FieldValue(ball.Output(), "EmittedFlux") - (before - 500.0)), 1e-9 * before)
+    << "a dimmed luminaire is traced anew";
   lamp->SetType(vtkLuminaireSource::PHOTOMETRIC_FILE);
   lamp->SetFileName(ILLUMINATION_TEST_DATA "/photometry/tilt_included.ies");
-  check(FieldText(ball.Output(), "Notes")
-          .find("photometric file of luminaire 'Lamp 2', line 10: the number "
-                "after the ballast factor is 0.8") != std::string::npos,
-    "what was assumed of a photometric file");
+  EXPECT_TRUE(Holds(FieldText(ball.Output(), "Notes"),
+    "photometric file of luminaire 'Lamp 2', line 10: the number "
+    "after the ballast factor is 0.8"))
+    << "what was assumed of a photometric file";
   ball.filter->RemoveAllLuminaires();
-  check(
-    FieldText(ball.Output(), "Notes").find("photometric") == std::string::npos, "of that alone");
-  check(PointArray(ball.Output(), "Illuminance_Lamp"), "the own lamp again");
-  check(ball.errors->Count == 0, "no errors");
+  EXPECT_FALSE(Holds(FieldText(ball.Output(), "Notes"), "photometric")) << "of that alone";
+  EXPECT_TRUE(PointArray(ball.Output(), "Illuminance_Lamp")) << "the own lamp again";
+  EXPECT_EQ(ball.messages->Errors, 0) << ball.messages->Text;
 }
 
-void TestErrors(Checks& check)
+TEST(IlluminationMapMaterials, WhatCannotBeUsedGivesOneError)
 {
   Ball ball;
   vtkNew<vtkSphereSource> none;
   ball.filter->AddLuminaireConnection(none->GetOutputPort());
   ball.Output();
-  check(ball.errors->Count == 1 &&
-      ball.errors->Messages.find("luminaire 1 is none") != std::string::npos,
-    "a ball is no luminaire: " + ball.errors->Messages);
-  check(!PointArray(ball.filter->GetOutput(), "Illuminance"), "no map");
+  EXPECT_EQ(ball.messages->Errors, 1) << "a ball is no luminaire";
+  EXPECT_TRUE(Holds(ball.messages->Text, "luminaire 1 is none"));
+  EXPECT_FALSE(PointArray(ball.filter->GetOutput(), "Illuminance")) << "no map";
   ball.filter->RemoveAllLuminaires();
 
   // Arrays that nobody checked before.
@@ -164,21 +167,7 @@ void TestErrors(Checks& check)
   surface->GetCellData()->AddArray(specular);
   ball.filter->SetInputData(surface);
   ball.Output();
-  check(ball.errors->Count == 2 &&
-      ball.errors->Messages.find("cell 7: the reflectances and transmittances sum to 1.25; they "
-                                 "must not exceed 1 together") != std::string::npos,
-    "too much light: " + ball.errors->Messages);
-}
-
-} // namespace
-
-int TestIlluminationMapMaterials(int, char*[])
-{
-  Checks check;
-  TestPresets(check);
-  TestSwitches(check);
-  TestColours(check);
-  TestLuminaires(check);
-  TestErrors(check);
-  return check.Failures();
+  EXPECT_EQ(ball.messages->Errors, 2) << "too much light";
+  EXPECT_TRUE(Holds(ball.messages->Text,
+    "cell 7: the reflectances and transmittances sum to 1.25; they must not exceed 1 together"));
 }

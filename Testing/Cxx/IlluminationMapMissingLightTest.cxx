@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Light that a map does not show is explained by one warning, and by none where all is well.
-#include "TestTools.h"
+#include "Messages.h"
+#include "OutputData.h"
+
+#include "vtkIlluminationMap.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCubeSource.h"
@@ -188,19 +191,49 @@ std::vector<Case> Cases()
   };
 }
 
-void CheckFlux(vtkDataObject* output, Checks& check, const std::string& name)
+void CheckFlux(vtkDataObject* output, const std::string& name)
 {
   const double emitted = FieldValue(output, "EmittedFlux");
   const double arrived = FieldValue(output, "FluxOnFronts") + FieldValue(output, "FluxOnBacks") +
     FieldValue(output, "FluxEscaped");
-  check(arrived <= emitted * (1.0 + 1e-12), name + ": no more arrives than is emitted");
+  EXPECT_LE(arrived, emitted * (1.0 + 1e-12)) << name << ": no more arrives than is emitted";
   const bool opaque = FieldText(output, "Effects").find("transmission: on") == std::string::npos &&
     FieldText(output, "Effects").find("refraction: on") == std::string::npos;
-  check(!opaque || std::fabs(arrived - emitted) <= 1e-12 * emitted, name + ": all is told");
+  EXPECT_TRUE(!opaque || std::fabs(arrived - emitted) <= 1e-12 * emitted)
+    << name << ": all is told";
 }
 
-/// The lamp that most light is missing of is named.
-void CheckName(Checks& check)
+} // namespace
+
+TEST(IlluminationMapMissingLight, OneWarningExplainsIt)
+{
+  for (const Case& c : Cases())
+  {
+    vtkNew<vtkIlluminationMap> map;
+    const CaughtMessages messages;
+    map->SetInputData(c.surface);
+    map->SetPhotons(20000);
+    c.set(map);
+    map->Update();
+    const std::string words = c.words;
+    const std::string name = c.name;
+    EXPECT_EQ(messages->Errors, 0) << name << ": " << messages->Text;
+    EXPECT_EQ(messages->Warnings, words.empty() ? 0 : 1) << name << ": " << messages->Text;
+    EXPECT_TRUE(Holds(messages->Text, words)) << name;
+    CheckFlux(map->GetOutput(), name);
+    if (name == "a target in the dark")
+    {
+      EXPECT_EQ(FieldText(map->GetOutput(), "StoppedBy").find("nothing lit"), 0u) << name;
+    }
+    if (name == "a lamp of 0 lm")
+    {
+      EXPECT_TRUE(Holds(FieldText(map->GetOutput(), "Notes"), "0 lm")) << name;
+    }
+  }
+}
+
+// The lamp that most light is missing of is named.
+TEST(IlluminationMapMissingLight, LampOfMostMissingLightIsNamed)
 {
   vtkNew<vtkIlluminationMap> map;
   map->SetInputData(Room(true));
@@ -212,46 +245,10 @@ void CheckName(Checks& check)
     lamps[i]->SetLuminaireName(i == 0 ? "inside" : "above");
     map->AddLuminaireConnection(lamps[i]->GetOutputPort());
   }
-  vtkNew<ErrorCounter> warnings;
-  map->AddObserver(vtkCommand::WarningEvent, warnings);
+  const CaughtMessages messages;
   map->Update();
-  check(warnings->Count == 1, "one warning for two lamps");
-  check(warnings->Messages.find("luminaire 'above'") != std::string::npos, "the lamp is named");
-  check(warnings->Messages.find("'inside'") == std::string::npos, "the other one is not");
-  check(warnings->Messages.find("of cell 5") != std::string::npos, "a cell is named");
-}
-
-} // namespace
-
-int TestIlluminationMapMissingLight(int, char*[])
-{
-  Checks check;
-  for (const Case& c : Cases())
-  {
-    vtkNew<vtkIlluminationMap> map;
-    vtkNew<ErrorCounter> warnings;
-    vtkNew<ErrorCounter> errors;
-    map->AddObserver(vtkCommand::WarningEvent, warnings);
-    map->AddObserver(vtkCommand::ErrorEvent, errors);
-    map->SetInputData(c.surface);
-    map->SetPhotons(20000);
-    c.set(map);
-    map->Update();
-    const std::string words = c.words;
-    const std::string name = c.name;
-    check(errors->Count == 0, name + ": " + errors->Messages);
-    check(warnings->Count == (words.empty() ? 0 : 1), name + ": " + warnings->Messages);
-    check(warnings->Messages.find(words) != std::string::npos, name + ": " + warnings->Messages);
-    CheckFlux(map->GetOutput(), check, name);
-    if (name == "a target in the dark")
-    {
-      check(FieldText(map->GetOutput(), "StoppedBy").find("nothing lit") == 0, name);
-    }
-    if (name == "a lamp of 0 lm")
-    {
-      check(FieldText(map->GetOutput(), "Notes").find("0 lm") != std::string::npos, name);
-    }
-  }
-  CheckName(check);
-  return check.Failures();
+  EXPECT_EQ(messages->Warnings, 1) << "one warning for two lamps";
+  EXPECT_TRUE(Holds(messages->Text, "luminaire 'above'")) << "the lamp is named";
+  EXPECT_FALSE(Holds(messages->Text, "'inside'")) << "the other one is not";
+  EXPECT_TRUE(Holds(messages->Text, "of cell 5")) << "a cell is named";
 }

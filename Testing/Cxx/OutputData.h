@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TestTools_h
-#define TestTools_h
-
-#include "vtkIlluminationMap.h"
+#pragma once
 
 #include "vtkAbstractArray.h"
-#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
@@ -13,42 +9,7 @@
 #include "vtkVariant.h"
 
 #include <cstring>
-#include <iostream>
 #include <string>
-
-/// Counts what does not hold and says where; a test returns Failures().
-class Checks
-{
-public:
-  void operator()(bool holds, const std::string& what)
-  {
-    if (!holds)
-    {
-      std::cerr << "FAILED: " << what << "\n";
-      ++this->Count;
-    }
-  }
-  int Failures() const { return this->Count; }
-
-private:
-  int Count = 0;
-};
-
-/// Counts the errors of what it observes and keeps their text.
-class ErrorCounter : public vtkCommand
-{
-public:
-  static ErrorCounter* New() { return new ErrorCounter; }
-
-  void Execute(vtkObject*, unsigned long, void* text) override
-  {
-    ++this->Count;
-    this->Messages += static_cast<const char*>(text);
-  }
-
-  int Count = 0;
-  std::string Messages;
-};
 
 /// A number of the output's field data; -1 if there is none of that name.
 inline double FieldValue(vtkDataObject* data, const char* name)
@@ -91,5 +52,3 @@ inline bool SameValues(vtkDataArray* a, vtkDataArray* b)
   }
   return true;
 }
-
-#endif

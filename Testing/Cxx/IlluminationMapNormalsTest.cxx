@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Input without point normals: they are computed with edges kept sharp, that is noted, and the
 // points of the input come back with the flux that their parts received.
-#include "TestTools.h"
+#include "Messages.h"
+#include "OutputData.h"
+
+#include "vtkIlluminationMap.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"
@@ -45,9 +48,8 @@ double SumOfValues(vtkDataArray* array)
 
 } // namespace
 
-int TestIlluminationMapNormals(int, char*[])
+TEST(IlluminationMap, ComputesNormalsThatAreMissing)
 {
-  Checks check;
   vtkNew<vtkIlluminationMap> illuminate;
   illuminate->SetInputData(Room());
   illuminate->SetLampType(vtkIlluminationMap::POINT);
@@ -62,24 +64,23 @@ int TestIlluminationMapNormals(int, char*[])
       illuminate->SetRegistration(registration);
       illuminate->Update();
       vtkPolyData* output = illuminate->GetOutput();
-      check(output->GetNumberOfPoints() == 8, "the input's own points come back");
-      check(!PointArray(output, "Normals"), "computed normals stay inside");
-      check(FieldText(output, "Notes").find("had no normals") != std::string::npos, "noted");
+      EXPECT_EQ(output->GetNumberOfPoints(), 8) << "the input's own points come back";
+      EXPECT_FALSE(PointArray(output, "Normals")) << "computed normals stay inside";
+      EXPECT_TRUE(Holds(FieldText(output, "Notes"), "had no normals")) << "noted";
       if (angle == 30.0 || registration == vtkIlluminationMap::FLAT)
       {
         // The mean over the points is that over the walls, 600 lm on 6 m^2. (Corners differ: the
         // diagonal of a wall gives its ends a larger share.) Areas of the corners: 3 walls, each
         // with 1 or 2 of 12 triangles' thirds; sum A E is what is conserved, so weigh by hits.
-        check(SumOfValues(PointArray(output, "PhotonHits")) ==
-            3.0 * FieldValue(output, "PhotonsEmitted"),
-          "every photon is counted at three corners");
+        EXPECT_EQ(
+          SumOfValues(PointArray(output, "PhotonHits")), 3.0 * FieldValue(output, "PhotonsEmitted"))
+          << "every photon is counted at three corners";
         for (vtkIdType i = 0; i < 8; ++i)
         {
           const double e = PointArray(output, "Illuminance")->GetTuple1(i);
-          check(e > 80.0 && e < 120.0, "corner " + std::to_string(e));
+          EXPECT_TRUE(e > 80.0 && e < 120.0) << "corner " << e;
         }
       }
     }
   }
-  return check.Failures();
 }

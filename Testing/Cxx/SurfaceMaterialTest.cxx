@@ -13,7 +13,9 @@
 namespace
 {
 
-void CheckCustom(Checks& check)
+} // namespace
+
+TEST(SurfaceMaterial, WritesWhatIsSet)
 {
   const auto plane = Plane();
   vtkNew<vtkSurfaceMaterial> filter;
@@ -28,28 +30,28 @@ void CheckCustom(Checks& check)
   filter->SetSolidBody(true);
   filter->Update();
   vtkPolyData* output = filter->GetOutput();
-  check(HasMaterial(output), "all arrays are there");
-  check(!plane->GetCellData()->HasArray("Roughness"), "the input has no new arrays");
+  EXPECT_TRUE(HasMaterial(output)) << "all arrays are there";
+  EXPECT_FALSE(plane->GetCellData()->HasArray("Roughness")) << "the input has no new arrays";
   for (vtkIdType cell = 0; cell < 4; ++cell)
   {
     for (int c = 0; c < 3; ++c)
     {
       const double share = 0.125 * (c + 1);
-      check(Value(output, "DiffuseReflectance", cell, c) == share &&
-          Value(output, "SpecularReflectance", cell, c) == share / 2 &&
-          Value(output, "GlossyReflectance", cell, c) == share / 4,
-        "reflectances are as they were set");
+      EXPECT_TRUE(Value(output, "DiffuseReflectance", cell, c) == share &&
+        Value(output, "SpecularReflectance", cell, c) == share / 2 &&
+        Value(output, "GlossyReflectance", cell, c) == share / 4)
+        << "reflectances are as they were set";
     }
-    check(Value(output, "DiffuseTransmittance", cell, 0) == static_cast<double>(0.1f) &&
-        Value(output, "ClearTransmittance", cell, 1) == 0.25,
-      "so are transmittances");
-    check(Value(output, "Roughness", cell) == 0.5 &&
-        Value(output, "RefractiveIndex", cell) == 2.0 && Value(output, "SolidBody", cell) == 1.0,
-      "and the numbers");
+    EXPECT_TRUE(Value(output, "DiffuseTransmittance", cell, 0) == static_cast<double>(0.1f) &&
+      Value(output, "ClearTransmittance", cell, 1) == 0.25)
+      << "so are transmittances";
+    EXPECT_TRUE(Value(output, "Roughness", cell) == 0.5 &&
+      Value(output, "RefractiveIndex", cell) == 2.0 && Value(output, "SolidBody", cell) == 1.0)
+      << "and the numbers";
   }
 }
 
-void CheckCells(Checks& check)
+TEST(SurfaceMaterial, ChangesChosenCells)
 {
   const auto plane = Plane();
   AddCells<vtkIntArray>(plane, "Part", 1, { 7, 8, 7, 9 });
@@ -68,27 +70,30 @@ void CheckCells(Checks& check)
   glass->Update();
   vtkPolyData* first = mirror->GetOutput();
   vtkPolyData* second = glass->GetOutput();
-  check(HasMaterial(first) && HasMaterial(second), "a chain writes the same arrays");
-  check(plane->GetCellData()->GetArray("DiffuseReflectance") == before &&
-      before->GetComponent(0, 0) == 0.125 && before->GetNumberOfComponents() == 1,
-    "the input's array is untouched");
+  EXPECT_TRUE(HasMaterial(first) && HasMaterial(second)) << "a chain writes the same arrays";
+  EXPECT_TRUE(plane->GetCellData()->GetArray("DiffuseReflectance") == before &&
+    before->GetComponent(0, 0) == 0.125 && before->GetNumberOfComponents() == 1)
+    << "the input's array is untouched";
   for (int c = 0; c < 3; ++c)
   {
-    check(Value(first, "DiffuseReflectance", 0, c) == 0.0, "a chosen cell is a mirror");
-    check(Value(first, "DiffuseReflectance", 1, c) == 0.25, "others keep what they have, grey");
-    check(Value(second, "DiffuseReflectance", 1, c) == 0.25, "in a chain too");
+    EXPECT_EQ(Value(first, "DiffuseReflectance", 0, c), 0.0) << "a chosen cell is a mirror";
+    EXPECT_EQ(Value(first, "DiffuseReflectance", 1, c), 0.25) << "others keep what they have, grey";
+    EXPECT_EQ(Value(second, "DiffuseReflectance", 1, c), 0.25) << "in a chain too";
   }
-  check(Value(first, "RefractiveIndex", 1) == 1.0 && Value(first, "SpecularReflectance", 1) == 0.0,
-    "where there was no array, cells are neutral");
-  check(Value(second, "SpecularReflectance", 2) == static_cast<double>(0.9f), "the mirror stays");
-  check(Value(second, "ClearTransmittance", 3) > 0.9 && Value(second, "DiffuseReflectance", 3) == 0,
-    "the glass comes");
-  check(
-    Value(first, "ClearTransmittance", 3) == 0.0 && Value(first, "DiffuseReflectance", 3) == 0.625,
-    "and does not reach back into the filter before it");
+  EXPECT_TRUE(
+    Value(first, "RefractiveIndex", 1) == 1.0 && Value(first, "SpecularReflectance", 1) == 0.0)
+    << "where there was no array, cells are neutral";
+  EXPECT_EQ(Value(second, "SpecularReflectance", 2), static_cast<double>(0.9f))
+    << "the mirror stays";
+  EXPECT_TRUE(
+    Value(second, "ClearTransmittance", 3) > 0.9 && Value(second, "DiffuseReflectance", 3) == 0)
+    << "the glass comes";
+  EXPECT_TRUE(
+    Value(first, "ClearTransmittance", 3) == 0.0 && Value(first, "DiffuseReflectance", 3) == 0.625)
+    << "and does not reach back into the filter before it";
 }
 
-void CheckBlocks(Checks& check)
+TEST(SurfaceMaterial, ChangesChosenBlocks)
 {
   vtkNew<vtkSurfaceMaterial> filter;
   filter->SetInputData(MultiBlock());
@@ -107,9 +112,11 @@ void CheckBlocks(Checks& check)
       vtkPolyData* leaf = Leaf(filter, index);
       const bool wanted = std::find(mirrors.begin(), mirrors.end(), index) != mirrors.end();
       const std::string where = "block " + std::to_string(index);
-      check(leaf && HasMaterial(leaf), where + " has all arrays");
-      check(leaf && (Value(leaf, "SpecularReflectance") > 0.0) == wanted, where + " is right");
-      check(leaf && Value(leaf, "DiffuseReflectance") == (wanted ? 0.0 : 0.5), where + " too");
+      EXPECT_TRUE(leaf && HasMaterial(leaf)) << where << " has all arrays";
+      EXPECT_TRUE(leaf && (Value(leaf, "SpecularReflectance") > 0.0) == wanted)
+        << where << " is right";
+      EXPECT_TRUE(leaf && Value(leaf, "DiffuseReflectance") == (wanted ? 0.0 : 0.5))
+        << where << " too";
     }
   };
   const std::vector<unsigned int> leaves{ 1, 3, 5, 6 };
@@ -118,8 +125,8 @@ void CheckBlocks(Checks& check)
   expect({ 2 }, { 3, 5 }, leaves);
   expect({ 6, 3 }, { 3, 6 }, leaves);
   expect({ 2, 3 }, { 3, 5 }, leaves); // one within the other
-  check(filter->GetNumberOfBlocks() == 2 && filter->HasBlock(3) && !filter->HasBlock(5),
-    "blocks are listed");
+  EXPECT_TRUE(filter->GetNumberOfBlocks() == 2 && filter->HasBlock(3) && !filter->HasBlock(5))
+    << "blocks are listed";
 
   vtkNew<vtkPartitionedDataSetCollection> collection; // 0 { 1 { 2 }, 3 { 4, 5 } }
   collection->SetPartition(0, 0, Plane());
@@ -135,7 +142,7 @@ void CheckBlocks(Checks& check)
   expect({ 2 }, { 2 }, { 1, 2 });
 }
 
-void CheckDefaultsAndPrint(Checks& check)
+TEST(SurfaceMaterial, PrintsItsDefaults)
 {
   vtkNew<vtkSurfaceMaterial> filter;
   filter->AddBlock(4);
@@ -148,18 +155,6 @@ void CheckDefaultsAndPrint(Checks& check)
          "DiffuseTransmittance: 0 0 0", "ClearTransmittance: 0 0 0", "RefractiveIndex: 1.5",
          "SolidBody: 0", "Blocks: 2 4", "CellArray: Part", "CellValue: 0" })
   {
-    check(text.str().find(line + "\n") != std::string::npos, "PrintSelf says " + line);
+    EXPECT_TRUE(Holds(text.str(), line + "\n")) << "PrintSelf says " << line;
   }
-}
-
-} // namespace
-
-int TestSurfaceMaterial(int, char*[])
-{
-  Checks check;
-  CheckCustom(check);
-  CheckCells(check);
-  CheckBlocks(check);
-  CheckDefaultsAndPrint(check);
-  return check.Failures();
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bad input gives one error that says what, where and which value; the input passes through and the
 // filter works again once the input is good.
-#include "TestTools.h"
+#include "Messages.h"
+#include "OutputData.h"
+
+#include "vtkIlluminationMap.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkExecutive.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -21,16 +23,13 @@ namespace
 class ErrorCase
 {
 public:
-  explicit ErrorCase(Checks& check)
-    : Check(check)
+  ErrorCase()
   {
     vtkNew<vtkSphereSource> sphere;
     sphere->Update();
     this->Surface->DeepCopy(sphere->GetOutput());
     this->Filter->SetInputData(this->Surface);
     this->Filter->SetPhotons(4096);
-    this->Filter->AddObserver(vtkCommand::ErrorEvent, this->Errors);
-    this->Filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Errors);
   }
 
   /// A cell array of the surface, all values `value`.
@@ -48,22 +47,20 @@ public:
   void Expect(const std::string& words)
   {
     this->Run();
-    this->Check(this->Errors->Count == 1,
-      std::to_string(this->Errors->Count) + " errors where one was to say: " + words);
-    const std::string& message = this->Errors->Messages;
-    this->Check(message.find(words) != std::string::npos, "\"" + words + "\" in: " + message);
+    EXPECT_EQ(this->Messages->Errors, 1) << "where one was to say: " << words;
+    EXPECT_TRUE(Holds(this->Messages->Text, words));
     vtkPolyData* output = this->Filter->GetOutput();
-    this->Check(output->GetNumberOfPoints() == this->Surface->GetNumberOfPoints() &&
-        output->GetNumberOfCells() == this->Surface->GetNumberOfCells(),
-      "the input passes through after: " + words);
-    this->Check(!PointArray(output, "Illuminance"), "no map after: " + words);
+    EXPECT_TRUE(output->GetNumberOfPoints() == this->Surface->GetNumberOfPoints() &&
+      output->GetNumberOfCells() == this->Surface->GetNumberOfCells())
+      << "the input passes through after: " << words;
+    EXPECT_FALSE(PointArray(output, "Illuminance")) << "no map after: " << words;
   }
 
   void ExpectGood()
   {
     this->Run();
-    this->Check(this->Errors->Count == 0, "no error: " + this->Errors->Messages);
-    this->Check(PointArray(this->Filter->GetOutput(), "Illuminance") != nullptr, "a map");
+    EXPECT_EQ(this->Messages->Errors, 0) << this->Messages->Text;
+    EXPECT_NE(PointArray(this->Filter->GetOutput(), "Illuminance"), nullptr) << "a map";
   }
 
   vtkNew<vtkPolyData> Surface;
@@ -72,19 +69,19 @@ public:
 private:
   void Run()
   {
-    this->Errors->Count = 0;
-    this->Errors->Messages.clear();
+    this->Messages->Clear();
     this->Filter->Modified();
     this->Filter->Update();
   }
 
-  Checks& Check;
-  vtkNew<ErrorCounter> Errors;
+  CaughtMessages Messages;
 };
 
-void CheckProperties(Checks& check)
+} // namespace
+
+TEST(IlluminationMapErrors, PropertiesOutOfRangeAreRefused)
 {
-  ErrorCase c(check);
+  ErrorCase c;
   c.ExpectGood();
   c.Filter->SetReflectance(1.5);
   c.Expect("Reflectance is 1.5");
@@ -104,9 +101,9 @@ void CheckProperties(Checks& check)
   c.ExpectGood();
 }
 
-void CheckArrays(Checks& check)
+TEST(IlluminationMapErrors, ArraysThatDoNotFitAreRefused)
 {
-  ErrorCase c(check);
+  ErrorCase c;
   c.Filter->SetReflectanceArray("nowhere");
   c.Expect("there is no cell array 'nowhere'");
   c.Filter->SetReflectanceArray("Normals");
@@ -141,9 +138,9 @@ void CheckArrays(Checks& check)
   c.ExpectGood();
 }
 
-void CheckGeometry(Checks& check)
+TEST(IlluminationMapErrors, GeometryThatIsNoneIsRefused)
 {
-  ErrorCase c(check);
+  ErrorCase c;
   double point[3];
   c.Surface->GetPoint(9, point);
   c.Surface->GetPoints()->SetPoint(9, point[0], std::nan(""), point[2]);
@@ -164,15 +161,4 @@ void CheckGeometry(Checks& check)
   c.Expect("no polygons or triangle strips");
   c.Surface->Initialize();
   c.Expect("no polygons or triangle strips");
-}
-
-} // namespace
-
-int TestIlluminationMapErrors(int, char*[])
-{
-  Checks check;
-  CheckProperties(check);
-  CheckArrays(check);
-  CheckGeometry(check);
-  return check.Failures();
 }

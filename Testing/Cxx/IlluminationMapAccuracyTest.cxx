@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The filter goes on where it can, starts anew where it must, stops at an accuracy, and shows in
 // the table Accuracy what it cost.
-#include "TestTools.h"
+#include "OutputData.h"
+
+#include "vtkIlluminationMap.h"
 
 #include "vtkNew.h"
 #include "vtkSphereSource.h"
 #include "vtkTable.h"
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 
@@ -23,7 +27,7 @@ vtkIdType Emitted(vtkIlluminationMap* illuminate)
 }
 
 /// Traced in one go by another filter with the same properties.
-void CheckAgainstOneGo(vtkIlluminationMap* illuminate, vtkSphereSource* sphere, Checks& check)
+void CheckAgainstOneGo(vtkIlluminationMap* illuminate, vtkSphereSource* sphere)
 {
   vtkNew<vtkIlluminationMap> once;
   once->SetInputConnection(sphere->GetOutputPort());
@@ -32,37 +36,37 @@ void CheckAgainstOneGo(vtkIlluminationMap* illuminate, vtkSphereSource* sphere, 
   once->Update();
   for (const char* name : { "Illuminance", "StandardError", "PhotonHits" })
   {
-    check(
-      SameValues(PointArray(illuminate->GetOutput(), name), PointArray(once->GetOutput(), name)),
-      std::string(name) + " has the bits of a run in one go");
+    EXPECT_TRUE(
+      SameValues(PointArray(illuminate->GetOutput(), name), PointArray(once->GetOutput(), name)))
+      << name << " has the bits of a run in one go";
   }
 }
 
-void CheckTable(vtkIlluminationMap* illuminate, Checks& check)
+void CheckTable(vtkIlluminationMap* illuminate)
 {
   auto* table = vtkTable::SafeDownCast(illuminate->GetOutputDataObject(1));
-  check(table && table->GetNumberOfRows() >= 3, "a row for each round");
+  EXPECT_TRUE(table && table->GetNumberOfRows() >= 3) << "a row for each round";
   if (!table || table->GetNumberOfRows() < 3)
   {
     return;
   }
   const vtkIdType last = table->GetNumberOfRows() - 1;
-  check(Cell(table, last, "Photons") == static_cast<double>(Emitted(illuminate)), "photons");
+  EXPECT_EQ(Cell(table, last, "Photons"), static_cast<double>(Emitted(illuminate))) << "photons";
   for (vtkIdType row = 1; row <= last; ++row)
   {
-    check(Cell(table, row, "Photons") > Cell(table, row - 1, "Photons"), "photons grow");
-    check(Cell(table, row, "Seconds") > Cell(table, row - 1, "Seconds"), "seconds grow");
-    check(Cell(table, row, "SegmentsPerSecond") > 0.0, "a rate");
-    check(Cell(table, row, "MedianRelativeError") <= Cell(table, row, "Percentile95RelativeError"),
-      "median and 95th percentile");
+    EXPECT_GT(Cell(table, row, "Photons"), Cell(table, row - 1, "Photons")) << "photons grow";
+    EXPECT_GT(Cell(table, row, "Seconds"), Cell(table, row - 1, "Seconds")) << "seconds grow";
+    EXPECT_GT(Cell(table, row, "SegmentsPerSecond"), 0.0) << "a rate";
+    EXPECT_LE(
+      Cell(table, row, "MedianRelativeError"), Cell(table, row, "Percentile95RelativeError"))
+      << "median and 95th percentile";
   }
 }
 
 } // namespace
 
-int TestIlluminationMapAccuracy(int, char*[])
+TEST(IlluminationMap, GoesOnStartsAnewAndStopsAtAnAccuracy)
 {
-  Checks check;
   vtkNew<vtkSphereSource> sphere;
   vtkNew<vtkIlluminationMap> illuminate;
   illuminate->SetInputConnection(sphere->GetOutputPort());
@@ -72,32 +76,31 @@ int TestIlluminationMapAccuracy(int, char*[])
 
   illuminate->SetPhotons(200000);
   illuminate->Update();
-  check(FieldValue(illuminate->GetOutput(), "Seconds") > before, "it went on: time adds up");
-  CheckTable(illuminate, check);
-  CheckAgainstOneGo(illuminate, sphere, check);
+  EXPECT_GT(FieldValue(illuminate->GetOutput(), "Seconds"), before) << "it went on: time adds up";
+  CheckTable(illuminate);
+  CheckAgainstOneGo(illuminate, sphere);
 
   illuminate->SetPhotons(30000); // fewer: anew
   illuminate->Update();
-  check(Emitted(illuminate) == 30720, "30000 rounded up to whole blocks");
-  CheckAgainstOneGo(illuminate, sphere, check);
+  EXPECT_EQ(Emitted(illuminate), 30720) << "30000 rounded up to whole blocks";
+  CheckAgainstOneGo(illuminate, sphere);
   illuminate->SetSeed(5); // another map: anew
   illuminate->Update();
-  CheckAgainstOneGo(illuminate, sphere, check);
+  CheckAgainstOneGo(illuminate, sphere);
   sphere->SetRadius(3.0); // another surface: anew
   illuminate->Update();
-  CheckAgainstOneGo(illuminate, sphere, check);
+  CheckAgainstOneGo(illuminate, sphere);
 
   illuminate->SetPhotons(2000000000);
   illuminate->SetTargetRelativeError(0.0003);
   illuminate->Update();
-  check(FieldText(illuminate->GetOutput(), "StoppedBy") == "target relative error\n", "target");
+  EXPECT_EQ(FieldText(illuminate->GetOutput(), "StoppedBy"), "target relative error\n") << "target";
   auto* table = vtkTable::SafeDownCast(illuminate->GetOutputDataObject(1));
-  check(Cell(table, table->GetNumberOfRows() - 1, "RelativeError") <= 0.0003, "target reached");
-  check(FieldValue(illuminate->GetOutput(), "PredictedSeconds") > 0.0, "a prediction");
+  EXPECT_LE(Cell(table, table->GetNumberOfRows() - 1, "RelativeError"), 0.0003) << "target reached";
+  EXPECT_GT(FieldValue(illuminate->GetOutput(), "PredictedSeconds"), 0.0) << "a prediction";
 
   illuminate->SetTargetRelativeError(0.0);
   illuminate->SetTimeLimit(FieldValue(illuminate->GetOutput(), "Seconds") + 0.05);
   illuminate->Update();
-  check(FieldText(illuminate->GetOutput(), "StoppedBy") == "time limit\n", "time limit");
-  return check.Failures();
+  EXPECT_EQ(FieldText(illuminate->GetOutput(), "StoppedBy"), "time limit\n") << "time limit";
 }

@@ -3,6 +3,8 @@
 // Fluxes are compared with closed forms.
 #include "LuminaireTools.h"
 
+#include "vtkIlluminationMap.h"
+
 #include "vtkPhotometricReader.h"
 
 #include "vtkCellData.h"
@@ -41,14 +43,12 @@ vtkSmartPointer<vtkPolyData> Floor()
 class Site
 {
 public:
-  explicit Site(Checks& check)
-    : Check(check)
+  Site()
   {
     this->Filter->SetInputData(Floor());
     this->Filter->SetPhotons(static_cast<vtkIdType>(Photons));
     this->Filter->SetReflectance(0.0);
     this->Filter->SetLampContributions(true);
-    this->Filter->AddObserver(vtkCommand::ErrorEvent, this->Errors);
   }
 
   void Trace(std::initializer_list<vtkDataObject*> luminaires)
@@ -60,8 +60,7 @@ public:
       producer->SetOutput(luminaire);
       this->Filter->AddLuminaireConnection(producer->GetOutputPort());
     }
-    this->Errors->Count = 0;
-    this->Errors->Messages.clear();
+    this->Messages->Clear();
     this->Filter->Update();
   }
 
@@ -90,20 +89,19 @@ public:
   {
     const double error = std::sqrt(share * (1.0 - share) / (Photons / lamps));
     const double found = this->Flux(array) / flux;
-    this->Check(std::fabs(found - share) <= 4.0 * error,
-      what + ": " + std::to_string(found) + " of the flux for " + std::to_string(share));
+    EXPECT_LE(std::fabs(found - share), 4.0 * error)
+      << what << ": " << found << " of the flux for " << share;
   }
 
   void ExpectError(const std::string& words)
   {
-    this->Check(this->Errors->Count == 1 && this->Flux("Illuminance") < 0.0, "one error: " + words);
-    this->Check(this->Errors->Messages.find(words) != std::string::npos,
-      "expected '" + words + "', not '" + this->Errors->Messages + "'");
+    EXPECT_EQ(this->Messages->Errors, 1) << words;
+    EXPECT_LT(this->Flux("Illuminance"), 0.0) << words;
+    EXPECT_TRUE(Holds(this->Messages->Text, words));
   }
 
 private:
-  Checks& Check;
-  vtkNew<ErrorCounter> Errors;
+  CaughtMessages Messages;
   vtkNew<vtkIlluminationMap> Filter;
 };
 
@@ -173,8 +171,37 @@ vtkSmartPointer<vtkPolyData> Panel()
   return plane->GetOutput();
 }
 
-void CheckMoved(Site& site)
+void ExpectBoth(Site& site, const std::string& how)
 {
+  // Each lamp's photons are as many as its share of the flux.
+  site.ExpectShare("Illuminance_Point", 300.0, ShareOfPoint(0.5), 1000.0 / 300.0, how + ": point");
+  site.ExpectShare("Illuminance_Square", 700.0, ShareOfSquare(), 1000.0 / 700.0, how + ": square");
+  site.ExpectShare(
+    "Illuminance", 1000.0, 0.3 * ShareOfPoint(0.5) + 0.7 * ShareOfSquare(), 1.0, how);
+}
+
+/// Names of the arrays of lamps with these names.
+void CheckNames(
+  Site& site, const std::vector<const char*>& given, const std::vector<const char*>& expected)
+{
+  vtkNew<vtkMultiBlockDataSet> group;
+  for (std::size_t i = 0; i < given.size(); ++i)
+  {
+    group->SetBlock(static_cast<unsigned>(i), Point(given[i]));
+  }
+  site.Trace({ group });
+  for (const char* name : expected)
+  {
+    const std::string array = std::string("Illuminance_") + name;
+    EXPECT_GT(site.Flux(array.c_str()), 0.0) << "there is an array " << array;
+  }
+}
+
+} // namespace
+
+TEST(LuminaireGroups, MovedLampsLightTheFloor)
+{
+  Site site;
   site.Trace({ Point() });
   site.ExpectShare("Illuminance", 300.0, ShareOfPoint(0.5), 1.0, "a point lamp that was moved");
   site.Trace({ Square() });
@@ -187,17 +214,9 @@ void CheckMoved(Site& site)
   site.ExpectShare("Illuminance", 1000.0, ShareOfPoint(0.5), 1.0, "a ball without a size");
 }
 
-void ExpectBoth(Site& site, const std::string& how)
+TEST(LuminaireGroups, LampsInGroupsLightTheFloor)
 {
-  // Each lamp's photons are as many as its share of the flux.
-  site.ExpectShare("Illuminance_Point", 300.0, ShareOfPoint(0.5), 1000.0 / 300.0, how + ": point");
-  site.ExpectShare("Illuminance_Square", 700.0, ShareOfSquare(), 1000.0 / 700.0, how + ": square");
-  site.ExpectShare(
-    "Illuminance", 1000.0, 0.3 * ShareOfPoint(0.5) + 0.7 * ShareOfSquare(), 1.0, how);
-}
-
-void CheckGroups(Site& site)
-{
+  Site site;
   site.Trace({ Point(), Square() });
   ExpectBoth(site, "one by one");
 
@@ -236,9 +255,10 @@ void CheckGroups(Site& site)
   site.ExpectShare("Illuminance", 200.0, ShareOfSquare(), 1.0, "surfaces that shine");
 }
 
-/// A filter for single data sets in between works on each block.
-void CheckMovedGroup(Site& site)
+// A filter for single data sets in between works on each block.
+TEST(LuminaireGroups, MovedGroupsLightTheFloor)
 {
+  Site site;
   vtkNew<vtkMultiBlockDataSet> group;
   group->SetBlock(0, Lamp(vtkLuminaireSource::POINT, 500.0, "A"));
   group->SetBlock(1, Lamp(vtkLuminaireSource::SPHERE, 500.0, "B"));
@@ -252,13 +272,14 @@ void CheckMovedGroup(Site& site)
   site.ExpectShare("Illuminance_A", 500.0, ShareOfPoint(0.5), 2.0, "a group that was moved");
 }
 
-void CheckReader(Site& site, Checks& check)
+TEST(LuminaireGroups, PhotometricFilesLightTheFloor)
 {
+  Site site;
   vtkNew<vtkPhotometricReader> reader;
   reader->SetFileName(PhotometricFile("isotropic.ies").c_str());
   reader->Update();
   const double flux = FieldValue(reader->GetOutput(), "LuminaireFlux");
-  check(flux > 1000.0, "the file's flux");
+  EXPECT_GT(flux, 1000.0) << "the file's flux";
   const auto up = [](vtkTransform* t) { t->Translate(0.0, 0.0, 0.5); };
   site.Trace({ Transformed(reader->GetOutput(), up) });
   site.ExpectShare("Illuminance_isotropic", flux, ShareOfPoint(0.5), 1.0, "an isotropic file");
@@ -277,11 +298,12 @@ void CheckReader(Site& site, Checks& check)
       up(t);
       t->RotateX(180.0);
     }) });
-  check(site.Flux("Illuminance") == 0.0, "turned over, it shines away from the floor");
+  EXPECT_EQ(site.Flux("Illuminance"), 0.0) << "turned over, it shines away from the floor";
 }
 
-void CheckErrors(Site& site)
+TEST(LuminaireGroups, WhatIsNoLuminaireIsRefused)
 {
+  Site site;
   vtkNew<vtkMultiBlockDataSet> group;
   group->SetBlock(0, Point());
   group->SetBlock(1, Floor());
@@ -299,8 +321,6 @@ void CheckErrors(Site& site)
   site.ExpectError("luminaire 1 is none");
 
   auto broken = Source(vtkLuminaireSource::PHOTOMETRIC_FILE);
-  vtkNew<ErrorCounter> itsOwn;
-  broken->AddObserver(vtkCommand::ErrorEvent, itsOwn);
   broken->Update();
   group->SetBlock(1, broken->GetOutput());
   site.Trace({ group });
@@ -312,8 +332,8 @@ void CheckErrors(Site& site)
   site.ExpectError("both the field data of a luminaire and a cell array 'Exitance'");
 }
 
-/// A lamp that is connected as a part of the scene is a surface, and a note says so.
-void CheckLampInTheScene(Checks& check)
+// A lamp that is connected as a part of the scene is a surface, and a note says so.
+TEST(LuminaireGroups, LampAmongTheSurfacesIsNoted)
 {
   vtkNew<vtkMultiBlockDataSet> scene;
   scene->SetBlock(0, Floor());
@@ -323,44 +343,15 @@ void CheckLampInTheScene(Checks& check)
   filter->SetPhotons(2048);
   filter->Update();
   const std::string notes = FieldText(filter->GetOutputDataObject(0), "Notes");
-  check(
-    notes.find("the surface of block 2 is, or was appended to, a luminaire") != std::string::npos &&
-      notes.find("the surface of block 1 is") == std::string::npos,
-    "a note on the lamp among the surfaces, not '" + notes + "'");
+  EXPECT_TRUE(Holds(notes, "the surface of block 2 is, or was appended to, a luminaire"));
+  EXPECT_FALSE(Holds(notes, "the surface of block 1 is"));
 }
 
-/// Names of the arrays of lamps with these names.
-void CheckNames(Site& site, Checks& check, const std::vector<const char*>& given,
-  const std::vector<const char*>& expected)
+TEST(LuminaireGroups, ArraysHaveTheNamesOfLamps)
 {
-  vtkNew<vtkMultiBlockDataSet> group;
-  for (std::size_t i = 0; i < given.size(); ++i)
-  {
-    group->SetBlock(static_cast<unsigned>(i), Point(given[i]));
-  }
-  site.Trace({ group });
-  for (const char* name : expected)
-  {
-    const std::string array = std::string("Illuminance_") + name;
-    check(site.Flux(array.c_str()) > 0.0, "there is an array " + array);
-  }
-}
-
-} // namespace
-
-int TestLuminaireGroups(int, char*[])
-{
-  Checks check;
-  Site site(check);
-  CheckMoved(site);
-  CheckGroups(site);
-  CheckMovedGroup(site);
-  CheckReader(site, check);
-  CheckErrors(site);
-  CheckLampInTheScene(check);
-  CheckNames(site, check, { "Lamp 2", "" }, { "Lamp 2", "Lamp 2 (2)" });
-  CheckNames(site, check, { "", " ", "" }, { "Lamp 1", "Lamp 2", "Lamp 3" });
-  CheckNames(site, check, { "A", "A", "A (2)", "A" }, { "A", "A (2)", "A (3)", "A (4)" });
-  CheckNames(site, check, { "", "Lamp 1", "Lamp 1 (2)" }, { "Lamp 1", "Lamp 1 (2)", "Lamp 1 (3)" });
-  return check.Failures();
+  Site site;
+  CheckNames(site, { "Lamp 2", "" }, { "Lamp 2", "Lamp 2 (2)" });
+  CheckNames(site, { "", " ", "" }, { "Lamp 1", "Lamp 2", "Lamp 3" });
+  CheckNames(site, { "A", "A", "A (2)", "A" }, { "A", "A (2)", "A (3)", "A (4)" });
+  CheckNames(site, { "", "Lamp 1", "Lamp 1 (2)" }, { "Lamp 1", "Lamp 1 (2)", "Lamp 1 (3)" });
 }

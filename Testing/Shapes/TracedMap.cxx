@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TracedMap.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace PhotonTransport;
+
+std::size_t MostFacetsInOnePlace(const Scene& scene)
+{
+  const SharedPlaceNotes& shared = scene.Notes().sharedPlaces;
+  return shared.copies.facets + shared.inPart.facets > 0 ? scene.Facets().size() : 1;
+}
+
+TracedMap::TracedMap(const Scene& given, const Lighting& lighting, const TraceSettings& settings,
+  std::uint64_t photons)
+  : TracedMap(ScenePointer(ScenePointer(), &given), lighting, settings, photons)
+{
+}
+
+TracedMap::TracedMap(const Surface& surface, const Lighting& lighting,
+  const TraceSettings& settings, std::uint64_t photons)
+  : TracedMap(std::make_shared<const Scene>(surface), lighting, settings, photons)
+{
+}
+
+TracedMap::TracedMap(const ScenePointer& owned, const Lighting& lighting,
+  const TraceSettings& settings, std::uint64_t photons)
+  : Owned(owned)
+  , scene(*owned)
+{
+  IlluminationRun run(this->scene, lighting, settings);
+  run.Advance({ photons });
+  this->front = run.Front();
+  this->balance = run.Balance();
+  this->fluxCut = run.FluxCutByWeightBound();
+  this->flux = run.Flux();
+  EXPECT_EQ(
+    this->balance.emitted, this->balance.absorbed + this->balance.escaped + this->balance.cutOff);
+  this->ExpectSound(this->front);
+  if (settings.registerBackSide)
+  {
+    this->back = run.Back();
+    this->ExpectSound(this->back);
+    this->ExpectFluxWithinBounds(settings);
+  }
+}
+
+void TracedMap::ExpectSound(const IlluminationMap& side) const
+{
+  for (std::size_t v = 0; v < side.direct.size(); ++v)
+  {
+    ASSERT_TRUE(std::isfinite(side.direct[v]) && side.direct[v] >= 0.0) << "vertex " << v;
+    ASSERT_TRUE(std::isfinite(side.indirect[v]) && side.indirect[v] >= 0.0) << "vertex " << v;
+    ASSERT_TRUE(std::isfinite(side.standardError[v]) && side.standardError[v] >= 0.0) << v;
+  }
+}
+
+void TracedMap::ExpectFluxWithinBounds(const TraceSettings& settings) const
+{
+  const double arrived = this->flux *
+    static_cast<double>(this->balance.segments - this->balance.escaped) /
+    static_cast<double>(this->balance.emitted);
+  const double registered = this->RegisteredFlux(this->front) + this->RegisteredFlux(this->back);
+  const double most = arrived * static_cast<double>(MostFacetsInOnePlace(this->scene));
+  // Three weights of a hit are rounded to 2^-28 each, and sums of floats to 2^-24.
+  EXPECT_LE(registered, most * double{ settings.weightBound } * (1.0 + 1e-6));
+  if (settings.registration == Registration::Flat)
+  {
+    EXPECT_GE(registered, arrived * (1.0 - 1e-6));
+    EXPECT_LE(registered, most * (1.0 + 1e-6));
+  }
+}
+
+double TracedMap::RegisteredFlux(const IlluminationMap& side) const
+{
+  double sum = 0.0;
+  for (std::size_t v = 0; v < side.direct.size(); ++v)
+  {
+    sum += this->scene.VertexAreas()[v] * (side.direct[v] + side.indirect[v]);
+  }
+  return sum;
+}
+
+double TracedMap::FluxError() const
+{
+  double square = 0.0;
+  for (std::size_t v = 0; v < this->front.direct.size(); ++v)
+  {
+    square += std::pow(this->scene.VertexAreas()[v] * this->front.standardError[v], 2);
+  }
+  return std::sqrt(square);
+}
