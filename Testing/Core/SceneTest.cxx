@@ -170,7 +170,7 @@ TEST(Scene, SafeOriginsStayInside)
   for (const double degrees : { 15.0, 40.0, 90.0 })
   {
     const Scene scene(Shapes::Wedge(degrees, Shapes::Facing::Inward));
-    for (const Facet& facet : scene.Facets())
+    for (std::uint32_t facet = 0; facet < scene.Facets().size(); ++facet)
     {
       for (const glm::vec3 b : { glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1),
              glm::vec3(0.5f, 0.5f, 0), glm::vec3(0, 0.5f, 0.5f), glm::vec3(0.5f, 0, 0.5f) })

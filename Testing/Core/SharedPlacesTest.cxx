@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Facets in one plane that face the same way: each gets the whole light.
+#include "PhotonTransport/scene/DataRounding.h"
+#include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/transport/IlluminationRun.h"
 
 #include "RandomNumbers.h"
@@ -175,6 +177,137 @@ TEST(SharedPlaces, TheLastMaterialCountsWhateverTheRayMeets)
   EXPECT_EQ(blackLast.balance.absorbed + blackLast.balance.escaped, blackLast.balance.emitted);
   EXPECT_EQ(blackLast.balance.segments, blackLast.balance.emitted); // nothing is reflected
   EXPECT_EQ(blackLast.scene.Notes().sharedPlaces.unlikeMaterials.facets, 50u);
+}
+
+namespace
+{
+
+/// A tilted floor with a carpet in its plane, far from the origin, in single precision.
+Surface Rounded(const glm::dvec3& shift, bool known)
+{
+  Surface surface = Shapes::Together(Floor(8), Patch(0.23, 0.31, 0.4, 0.35, 5));
+  for (glm::dvec3& point : surface.points)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      // Where GCC 12 vectorises two conversions in a row, it leaves both out; not so a store.
+      const volatile float single = static_cast<float>(point[axis] + shift[axis]);
+      point[axis] = double{ single };
+    }
+  }
+  surface.rounding = known ? SingleHalfUnit : 0.0;
+  return surface;
+}
+
+const glm::dvec3 Shifts[] = { { 10, 20, 5 }, { 100, 200, 30 }, { 1000, 2000, 50 } };
+
+} // namespace
+
+TEST(SharedPlaces, OnePlaneIsOneUpToTheRoundingOfTheData)
+{
+  for (const glm::dvec3& shift : Shifts)
+  {
+    SCOPED_TRACE(shift.x);
+    const Lit black(Rounded(shift, true));
+    black.ExpectWholeLight();
+    const SharedPlaceNotes& notes = black.scene.Notes().sharedPlaces;
+    EXPECT_EQ(notes.leftToChance.facets, 0u);
+    EXPECT_GT(notes.inPart.facets, 50u);
+    // Each sheet is off by half a unit in each coordinate at most.
+    const double most = 2.0 * SingleHalfUnit * glm::length(shift + glm::dvec3(3.0));
+    EXPECT_GT(notes.inPart.apart, 0.0);
+    EXPECT_LE(notes.inPart.apart, most);
+    // What leaves one of the sheets meets neither again.
+    const Lit white(Shapes::WithReflectance(Rounded(shift, true), 1.0f));
+    EXPECT_EQ(white.balance.segments, white.balance.emitted + black.balance.absorbed);
+  }
+}
+
+// A wall drawn once for each side.
+TEST(SharedPlaces, BacksAreInOnePlaceUpToTheRoundingOfTheData)
+{
+  for (const glm::dvec3& shift : Shifts)
+  {
+    SCOPED_TRACE(shift.x);
+    Surface surface = Rounded(shift, true);
+    for (std::size_t p = 81; p < surface.points.size(); ++p) // the carpet's
+    {
+      surface.normals[p] = -surface.normals[p];
+    }
+    const Lit black(surface);
+    for (std::size_t v = 0; v < surface.points.size(); ++v)
+    {
+      EXPECT_NEAR(black.map.direct[v], v < 81 ? black.expected : 0.0, 0.3 * black.expected);
+    }
+    EXPECT_EQ(black.scene.Notes().thinGaps.number, 0u);
+    // What leaves the floor stays above both, but for light that gets under the carpet's rim, which
+    // lies up to twice the rounding above the floor, and is caught there.
+    const Lit white(Shapes::WithReflectance(surface, 1.0f));
+    const double rim = 2.0 * (0.4 * glm::length(U) + 0.35 * glm::length(V));
+    const double height = 2.0 * SingleHalfUnit * glm::length(shift + glm::dvec3(3.0));
+    const double caught =
+      rim * height / glm::length(glm::cross(U, V)) * static_cast<double>(black.balance.absorbed);
+    EXPECT_LE(static_cast<double>(white.balance.cutOff), caught + 4.0 * std::sqrt(caught));
+  }
+}
+
+TEST(SharedPlaces, UnknownRoundingIsFoundOut)
+{
+  for (const glm::dvec3& shift : { Shifts[1], Shifts[2] })
+  {
+    SCOPED_TRACE(shift.x);
+    const SharedPlaceNote note = Scene(Rounded(shift, false)).Notes().sharedPlaces.leftToChance;
+    EXPECT_GT(note.facets, 1u);
+    EXPECT_LT(note.first, 128u); // the floor's
+    EXPECT_GE(note.second, 128u);
+    EXPECT_GT(note.squareMetres, 0.0);
+    EXPECT_GT(note.apart, 0.0);
+    EXPECT_LE(note.apart, 2.0 * SingleHalfUnit * glm::length(shift + glm::dvec3(3.0)));
+  }
+}
+
+// Two floors of equal squares, one a little above the other. They are in one place everywhere, or
+// nowhere, or it is told.
+TEST(SharedPlaces, SheetsAreInOnePlaceAsAWhole)
+{
+  const glm::dvec3 up = glm::normalize(glm::cross(U, V));
+  int joined = 0, apart = 0;
+  for (double gap = 1e-8; gap < 1e-3; gap *= 2.0)
+  {
+    SCOPED_TRACE(gap);
+    Surface above = Floor(8);
+    for (glm::dvec3& point : above.points)
+    {
+      point += gap * up;
+    }
+    const Lit lit(Shapes::Together(Floor(8), above), 50'000);
+    const SharedPlaceNotes& notes = lit.scene.Notes().sharedPlaces;
+    if (notes.leftToChance.facets > 0)
+    {
+      continue;
+    }
+    const bool inOnePlace = notes.inPart.facets + notes.copies.facets > 0;
+    EXPECT_EQ(notes.inPart.facets + 2 * notes.copies.facets, inOnePlace ? 256u : 0u);
+    ++(inOnePlace ? joined : apart);
+    const std::size_t points = above.points.size();
+    for (std::size_t v = 0; v < points; ++v)
+    {
+      EXPECT_NEAR(lit.map.direct[points + v], lit.expected, 0.3 * lit.expected);
+      EXPECT_NEAR(lit.map.direct[v], inOnePlace ? lit.expected : 0.0, 0.3 * lit.expected);
+    }
+  }
+  EXPECT_GT(joined, 3);
+  EXPECT_GT(apart, 3);
+}
+
+TEST(SharedPlaces, RoundingIsANumberFromZeroOn)
+{
+  for (const double rounding : { -1e-9, std::nan(""), HUGE_VAL })
+  {
+    Surface floor = Floor(1);
+    floor.rounding = rounding;
+    EXPECT_THROW(Scene{ floor }, InvalidInput);
+  }
 }
 
 TEST(SharedPlaces, ACopyShinesOnce)

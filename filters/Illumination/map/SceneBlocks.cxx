@@ -104,6 +104,7 @@ void SceneBlocks::Append(SceneBlock block, const SurfaceDescription& description
   block.pointOfVertex = PointsOfTriangles(mesh);
   block.cellOfFacet = CellsOfTriangles(mesh);
   AppendPoints(mesh, this->All.points);
+  this->All.rounding = std::max(this->All.rounding, RoundingOfPoints(block.data));
   this->AddNormals(mesh);
   AppendFacets(mesh, block.firstVertex, this->All.facets);
   if (!description.exitanceArray.empty())

@@ -25,6 +25,22 @@ void AddSharedPlaces(std::vector<std::string>& lines, const SceneBlocks& blocks,
   }
 }
 
+std::string LeftToChanceText(
+  const PhotonTransport::SharedPlaceNote& note, const SceneBlocks& blocks)
+{
+  std::ostringstream text;
+  text
+    << note.facets << " triangles lie nearly in the plane of others that face the same way, "
+    << "such as those of " << blocks.NameOfFacet(note.first) << " and "
+    << blocks.NameOfFacet(note.second) << " (on " << note.squareMetres << " m^2). They are at most "
+    << note.apart
+    << " apart, too little to tell everywhere which is in front, so chance shares the light out "
+       "between them. Remove one of the two surfaces, or move one by more than that. If rounding "
+       "of the coordinates has put them apart, move all data near the origin before they are "
+       "rounded, or use points of double precision";
+  return text.str();
+}
+
 std::string ThinGapsText(const PhotonTransport::ThinGaps& gaps, const SceneBlocks& blocks)
 {
   std::ostringstream text;
@@ -65,6 +81,10 @@ std::vector<std::string> WarningsOn(const SceneBlocks& blocks, const PhotonTrans
   AddSharedPlaces(warnings, blocks, found.shineToo,
     "shine where others shine that face the same way",
     "the light of both is emitted there. Remove one of the two, or set its exitance to 0");
+  if (found.leftToChance.facets > 0)
+  {
+    warnings.push_back(LeftToChanceText(found.leftToChance, blocks));
+  }
   const PhotonTransport::ThinGaps& gaps = scene.Notes().thinGaps;
   if (gaps.unresolved > 0)
   {

@@ -6,6 +6,7 @@
 #include "Illumination/surface/InputChecks.h"
 
 #include "PhotonTransport/geometry/TriangleArea.h"
+#include "PhotonTransport/scene/DataRounding.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -54,11 +55,15 @@ glm::dvec3 PointOf(vtkPolyData* data, vtkIdType point)
   return place;
 }
 
+bool IsSinglePrecision(vtkPolyData* data)
+{
+  return data->GetPoints() && data->GetPoints()->GetDataType() == VTK_FLOAT;
+}
+
 double RoundingOf(vtkPolyData* data)
 {
-  return data->GetPoints() && data->GetPoints()->GetDataType() == VTK_FLOAT
-    ? PhotonTransport::SingleRounding
-    : PhotonTransport::DoubleRounding;
+  return IsSinglePrecision(data) ? PhotonTransport::SingleRounding
+                                 : PhotonTransport::DoubleRounding;
 }
 
 /// Whether all corners lie on one line, the one from the first corner to the corner farthest from
@@ -283,6 +288,11 @@ SurfaceTriangles TrianglesOf(vtkPolyData* data, vtkDataArray* normals, const std
   result.uncut = FindUncut(cells, CellsOfTriangles(result.mesh), data->GetNumberOfCells());
   KeepThoseWithArea(result.mesh, result.withoutArea);
   return result;
+}
+
+double RoundingOfPoints(vtkPolyData* data)
+{
+  return IsSinglePrecision(data) ? PhotonTransport::SingleHalfUnit : 0.0;
 }
 
 bool HasSurface(vtkPolyData* data)

@@ -42,6 +42,9 @@ struct SurfaceTriangles
 /// " of block 2", or "".
 SurfaceTriangles TrianglesOf(vtkPolyData* data, vtkDataArray* normals, const std::string& block);
 
+/// By how much the coordinates were rounded at most, relative to each (Surface::rounding).
+double RoundingOfPoints(vtkPolyData* data);
+
 /// Whether there is a polygon or a strip.
 bool HasSurface(vtkPolyData* data);
 

@@ -166,11 +166,12 @@ Prepared<MeshEmitter> EmittingMesh::Prepare(const Scene& scene) const
 
 Ray FacetEmitter::Emit(const PhotonSample& sample, const Share& share) const
 {
-  const Facet& facet = this->scene->Facets()[this->FacetOf(sample, share)];
+  const std::uint32_t facet = this->FacetOf(sample, share);
   const glm::vec2 b = UniformTriangle(sample.Emission(0), sample.Emission(1));
   const glm::vec3 barycentric(std::max(0.0f, 1.0f - b.x - b.y), b.x, b.y);
   return { this->scene->SafeOrigin(facet, barycentric, true),
-    Frame(facet.normal).ToWorld(CosineHemisphere(sample.Emission(2), sample.Emission(3))) };
+    Frame(this->scene->Facets()[facet].normal)
+      .ToWorld(CosineHemisphere(sample.Emission(2), sample.Emission(3))) };
 }
 
 Ray MeshEmitter::Emit(const PhotonSample& sample, const Share& share) const

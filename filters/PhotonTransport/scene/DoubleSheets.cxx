@@ -61,7 +61,8 @@ bool Scene::FindFront(const Ray& ray, Hit& hit) const
   const Facet& behind = this->FacetRecords[hit.facet];
   const glm::dvec3 point = double(hit.barycentric.x) * corner(behind, 0) +
     double(hit.barycentric.y) * corner(behind, 1) + double(hit.barycentric.z) * corner(behind, 2);
-  const double gap = double{ SheetGap } * this->Reach(point);
+  const double near = double{ SheetGap } * this->Reach(point);
+  const double gap = near + 2.0 * this->Rounding.Along(glm::dvec3(behind.normal), point);
   std::uint32_t chosen = NoFacet; // the first in the list, whatever the order of the search
   const auto look = [&](std::uint32_t f)
   {
@@ -75,6 +76,11 @@ bool Scene::FindFront(const Ray& ray, Hit& hit) const
         chosen = f;
         hit.barycentric = *there;
         hit.part = NoPart;
+        if (gap > near) // the other sheet may be farther off than rays start
+        {
+          hit.part = NoPartButLifted;
+          hit.inPart = glm::vec3(static_cast<float>(gap));
+        }
       }
     }
   };

@@ -24,6 +24,9 @@ struct Ray
 
 constexpr std::uint32_t NoFacet = 0xffffffffu;
 constexpr std::uint32_t NoPart = 0xffffffffu;
+/// Stands for no part of a facet that has others in its place: rays start clear of these, and by
+/// Hit::inPart.x more (Scene::SafeOrigin).
+constexpr std::uint32_t NoPartButLifted = 0xfffffffeu;
 
 /// The first facet along a ray.
 struct Hit

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -23,6 +24,10 @@ namespace
 
 /// Groups of so few facets are looked through pair by pair.
 constexpr std::size_t Few = 64;
+
+/// See ForEachOverlap.
+constexpr double Near = 64.0;
+constexpr double NearIfSingle = 1024.0;
 
 /// Looks for overlaps within one bundle.
 class BundleSearch
@@ -37,6 +42,7 @@ public:
     {
       this->Triangles.emplace_back(
         f, this->Corner(f, 0), this->Corner(f, 1), this->Corner(f, 2), this->Axis);
+      this->AddRounding(this->Triangles.back());
     }
   }
 
@@ -146,30 +152,67 @@ private:
     const PlaneTriangle& other = this->Triangles[j];
     const bool copies = this->AreCopies(one.facet, other.facet);
     const CommonPart common = Intersection(one, other);
-    if (copies || (common.area > 0.0 && this->AreTogether(one, other, common)))
+    const glm::vec3& normal = this->Places.planes[one.facet].normal;
+    const double cosine = std::fabs(double{ normal[this->Axis] });
+    FacetOverlap overlap{ one.facet, other.facet, common.area / cosine, copies, 0.0, 0.0, 0.0 };
+    if (copies || (common.area > 0.0 && this->AreNear(one, other, common, overlap)))
     {
-      const glm::vec3& normal = this->Places.planes[one.facet].normal;
-      const double cosine = std::fabs(double{ normal[this->Axis] });
-      f({ one.facet, other.facet, common.area / cosine, copies });
+      f(overlap);
     }
   }
 
-  /// Whether two facets' planes are one where they have a part in common.
-  bool AreTogether(
-    const PlaneTriangle& one, const PlaneTriangle& other, const CommonPart& common) const
+  /// Measures how far two facets are apart where they have a part in common.
+  /// @return Whether that is little.
+  bool AreNear(const PlaneTriangle& one, const PlaneTriangle& other, const CommonPart& common,
+    FacetOverlap& overlap) const
   {
     const glm::dvec3 a(this->Corner(one.facet, 0)), b(this->Corner(other.facet, 0));
     const glm::dvec3 m = this->ExactNormal(one.facet), n = this->ExactNormal(other.facet);
-    const double corners = double{ CornerGap } * double{ std::max(one.reach, other.reach) };
+    const FacetPlane& plane = this->Places.planes[one.facet];
+    const double corners = double{ CornerGap } * double{ std::max(one.reach, other.reach) } +
+      (double{ plane.rounding } + double{ this->Places.planes[other.facet].rounding });
     const int u = (this->Axis + 1) % 3, v = (this->Axis + 2) % 3, w = this->Axis;
-    return std::all_of(common.corners.begin(), common.corners.end(),
-      [&](const glm::dvec2& p)
+    const double upwards = std::copysign(m[w], double{ plane.normal[w] });
+    const DataRounding single{ this->Places.rounding.origin, SingleHalfUnit };
+    bool isSingle = true;
+    overlap.low = std::numeric_limits<double>::max();
+    overlap.high = std::numeric_limits<double>::lowest();
+    for (const glm::dvec2& p : common.corners)
+    {
+      const double first = a[w] - (m[u] * (p.x - a[u]) + m[v] * (p.y - a[v])) / m[w];
+      const double second = b[w] - (n[u] * (p.x - b[u]) + n[v] * (p.y - b[v])) / n[w];
+      const double reach = std::max({ std::fabs(p.x), std::fabs(p.y), std::fabs(first) });
+      const double height = (second - first) * upwards;
+      overlap.low = std::min(overlap.low, height);
+      overlap.high = std::max(overlap.high, height);
+      overlap.excess =
+        std::max(overlap.excess, std::fabs(height) / (double{ SheetGap } * reach + corners));
+      glm::dvec3 place;
+      place[u] = p.x;
+      place[v] = p.y;
+      place[w] = first;
+      isSingle = isSingle && std::fabs(height) <= 2.0 * single.Along(m, place);
+    }
+    return overlap.excess <= (isSingle ? NearIfSingle : Near);
+  }
+
+  /// A small facet has no neighbours of slivers as wide as itself.
+  void AddRounding(PlaneTriangle& triangle) const
+  {
+    const DataRounding& rounding = this->Places.rounding;
+    if (rounding.relative > 0.0)
+    {
+      constexpr double PartOfFacet = 1.0 / 32.0;
+      const glm::dvec2 size(triangle.high - triangle.low);
+      glm::dvec3 farthest(0.0);
+      for (int corner = 0; corner < 3; ++corner)
       {
-        const double first = a[w] - (m[u] * (p.x - a[u]) + m[v] * (p.y - a[v])) / m[w];
-        const double second = b[w] - (n[u] * (p.x - b[u]) + n[v] * (p.y - b[v])) / n[w];
-        const double reach = std::max({ std::fabs(p.x), std::fabs(p.y), std::fabs(first) });
-        return std::fabs(first - second) * std::fabs(m[w]) <= double{ SheetGap } * reach + corners;
-      });
+        const glm::dvec3 point(this->Corner(triangle.facet, corner));
+        farthest = glm::max(farthest, glm::abs(point - rounding.origin));
+      }
+      triangle.rounding = static_cast<float>(std::min(
+        rounding.relative * glm::length(farthest), PartOfFacet * std::min(size.x, size.y)));
+    }
   }
 
   glm::dvec3 ExactNormal(std::uint32_t facet) const

@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -12,12 +13,20 @@
 namespace PhotonTransport
 {
 
-/// Two facets that lie in one plane, face the same way and have more than a sliver in common.
+/// Two facets that lie in one plane or nearly so, face the same way and have more than a sliver in
+/// common.
 struct FacetOverlap
 {
   std::uint32_t first, second; ///< In ascending order.
   double area;                 ///< That they have in common.
   bool copies;                 ///< They have the same three corners.
+  /// How far the second lies in front of the first where they have a part in common: least and
+  /// most. Negative: behind it.
+  double low, high;
+  /// How far they are apart at most, in units of what rounding explains. In one plane: at most 1.
+  double excess;
+
+  double Apart() const { return std::max(-this->low, this->high); }
 };
 
 /// The facets' corners, and their planes with the groups of these.
@@ -27,9 +36,12 @@ struct FacetPlaces
   const std::vector<glm::uvec3>& facets;
   const std::vector<FacetPlane>& planes;
   const std::vector<PlaneMember>& groups;
+  const DataRounding& rounding;
 };
 
-/// Calls f for all pairs of facets that overlap; for some of them more than once.
+/// Calls f for all pairs of facets that overlap; for some of them more than once. Pairs that are
+/// not in one plane are found up to an excess of 64, or up to 1024 where the rounding to single
+/// precision would explain how far they are apart; not all of them are found.
 ///
 /// A floor of many facets is looked through in linear time: facets that are joined along all their
 /// edges can't overlap each other unless others do at the outline, see Outline.

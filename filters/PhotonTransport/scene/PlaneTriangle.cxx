@@ -68,7 +68,8 @@ int BestAxis(const glm::vec3& normal)
 bool Meet(const PlaneTriangle& one, const PlaneTriangle& other)
 {
   const glm::vec2 common = glm::min(one.high, other.high) - glm::max(one.low, other.low);
-  const float width = LeastWidth * std::max(one.reach, other.reach);
+  const float width =
+    LeastWidth * std::max(one.reach, other.reach) + (one.rounding + other.rounding);
   return common.x > width && common.y > width && !EdgeDivides(one, other, double{ width }) &&
     !EdgeDivides(other, one, double{ width });
 }

@@ -26,6 +26,8 @@ struct PlaneTriangle
   glm::vec2 corners[3];
   glm::vec2 low, high; ///< Bounds.
   float reach;         ///< Largest coordinate of a corner; its rounding is relative to this.
+  /// By how much the data's rounding may widen what it has in common with a neighbour.
+  float rounding = 0.0f;
 };
 
 /// The axis along which a plane with this normal shows the largest part of its area.

@@ -35,6 +35,10 @@ glm::vec3 Scene::SafeOrigin(const Hit& hit, bool front) const
 
 [[gnu::noinline]] glm::vec3 Scene::SafeOriginOnPart(const Hit& hit, bool front) const
 {
+  if (hit.part == NoPartButLifted)
+  {
+    return this->SafeOrigin(hit.facet, hit.barycentric, front, hit.inPart.x);
+  }
   const std::array<glm::vec3, 3>& corners = this->Bvh->Part(hit.part).positions;
   return this->SafeOriginAt(PointAt(hit.inPart, corners[0], corners[1], corners[2]), hit, front);
 }
@@ -46,20 +50,23 @@ inline glm::vec3 Scene::SafeOriginAt(const glm::vec3& point, const Hit& hit, boo
   const float margin = facet.marginPerOffset * offset;
   if (std::min(std::min(hit.barycentric.x, hit.barycentric.y), hit.barycentric.z) < margin)
   {
-    return this->SafeOrigin(facet, hit.barycentric, front);
+    return this->SafeOrigin(hit.facet, hit.barycentric, front);
   }
   return point + (front ? offset : -offset) * facet.normal;
 }
 
 [[gnu::noinline]] glm::vec3 Scene::SafeOrigin(
-  const Facet& facet, const glm::vec3& barycentric, bool front) const
+  std::uint32_t f, const glm::vec3& barycentric, bool front, float lift) const
 {
+  const Facet& facet = this->FacetRecords[f];
   // In double, so that the start is rounded by its own coordinates and not by the facet's.
   const glm::dvec3 a(this->VertexRecords[facet.vertices.x].position);
   const glm::dvec3 toB = glm::dvec3(this->VertexRecords[facet.vertices.y].position) - a;
   const glm::dvec3 toC = glm::dvec3(this->VertexRecords[facet.vertices.z].position) - a;
   const auto at = [&](const glm::vec3& b) { return a + double{ b.y } * toB + double{ b.z } * toC; };
-  const float offset = OriginOffset * static_cast<float>(this->Reach(at(barycentric)));
+  // Clear of the facets in the same place, too.
+  const float offset = OriginOffset * static_cast<float>(this->Reach(at(barycentric))) +
+    this->ApartFromSharers(f) + lift;
   const float margin = std::min(1.0f / 3.0f, facet.marginPerOffset * offset);
   const glm::vec3 inside = glm::max(barycentric, margin);
   const glm::dvec3 point = at(inside / (inside.x + inside.y + inside.z));

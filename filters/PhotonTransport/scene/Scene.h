@@ -4,6 +4,7 @@
 #include "PhotonTransport/geometry/FacetRings.h"
 #include "PhotonTransport/geometry/Placement.h"
 #include "PhotonTransport/materials/Scattering.h"
+#include "PhotonTransport/scene/DataRounding.h"
 #include "PhotonTransport/scene/EmbreeScene.h"
 #include "PhotonTransport/scene/SharedPlaces.h"
 #include "PhotonTransport/scene/Surface.h"
@@ -21,6 +22,9 @@
 
 namespace PhotonTransport
 {
+
+struct FacetOverlap;
+class NearOverlaps;
 
 /// How far a ray starts above its facet, relative to the reach of its point (Scene::Reach): 32
 /// units in the last place of a coordinate as large as that. A start is rounded once, by half such
@@ -143,7 +147,9 @@ public:
   /// Where a ray starts that leaves the point of a hit on the facet's front or back.
   glm::vec3 SafeOrigin(const Hit& hit, bool front) const;
   /// The same for any point of a facet, slower and a little less finely.
-  glm::vec3 SafeOrigin(const Facet& facet, const glm::vec3& barycentric, bool front) const;
+  /// @param lift Starts so much farther from the facet.
+  glm::vec3 SafeOrigin(
+    std::uint32_t facet, const glm::vec3& barycentric, bool front, float lift = 0.0f) const;
 
   /// Bring a record into the cache ahead of its use.
   void PrefetchFacet(const Hit& hit) const
@@ -182,6 +188,7 @@ public:
   /// Scene area times this is in m^2.
   double SquareMetresPerSceneArea() const;
   const Placement& GetPlacement() const { return this->Place; }
+  const DataRounding& GetRounding() const { return this->Rounding; }
   const SceneNotes& Notes() const { return this->Found; }
 
 private:
@@ -196,8 +203,14 @@ private:
   glm::dvec3 NormalOfUse(
     std::uint32_t v, const glm::dvec3& givenNormal, const glm::dvec3& areaVectors);
   void FindSharedPlaces(const std::vector<glm::vec3>& positions);
-  void MarkSharedPlace(
-    std::uint32_t first, std::uint32_t second, double area, bool copies, SharedPlaceNotes& notes);
+  void FinishNotesOnSharedPlaces();
+  void MarkSharedPlace(const FacetOverlap& overlap);
+  void NoteOverlap(SharedPlaceNote& note, const FacetOverlap& overlap) const;
+  void JoinNearOverlaps(NearOverlaps& near);
+  float ApartFromSharers(std::uint32_t facet) const
+  {
+    return this->Apart.empty() ? 0.0f : this->Apart[facet];
+  }
   std::uint32_t InSurface(std::uint32_t facet) const; ///< Its index in the surface given.
   bool FindFront(const Ray& ray, Hit& hit) const;
   glm::vec3 SafeOriginOnPart(const Hit& hit, bool front) const;
@@ -205,6 +218,7 @@ private:
   void BuildBvh(std::vector<glm::vec3> positions);
 
   Placement Place;
+  DataRounding Rounding;
   double MetresPerUnit;
   float LeastReach = 0x1p-16f;
   std::vector<Facet> FacetRecords;
@@ -220,7 +234,9 @@ private:
   std::vector<double> Areas;
   std::vector<Vertex> VertexRecords;
   std::vector<std::uint8_t> DoubleSheets; ///< By facet; empty if there are none.
-  std::vector<std::uint8_t> Shared;   ///< Bits of SharedPlace, by facet; empty if none shares one.
+  std::vector<std::uint8_t> Shared; ///< Bits of SharedPlace, by facet; empty if none shares one.
+  /// By facet: how far those that it shares its place with are off its plane at most; or empty.
+  std::vector<float> Apart;
   std::vector<std::uint32_t> Dropped; ///< Facets of the surface that were left out.
   std::optional<EmbreeScene> Bvh;
 };

@@ -3,6 +3,7 @@
 
 #include "PhotonTransport/materials/MaterialProperties.h"
 #include "PhotonTransport/scene/DoubleSheets.h"
+#include "PhotonTransport/scene/NearOverlaps.h"
 #include "PhotonTransport/scene/OverlappingFacets.h"
 #include "PhotonTransport/scene/ParallelFor.h"
 #include "PhotonTransport/scene/PlaneTriangle.h"
@@ -74,19 +75,31 @@ void Keep(SharedPlaceNote& note, std::uint32_t first, std::uint32_t second, doub
 
 } // namespace
 
-void Scene::MarkSharedPlace(
-  std::uint32_t first, std::uint32_t second, double area, bool copies, SharedPlaceNotes& notes)
+void Scene::NoteOverlap(SharedPlaceNote& note, const FacetOverlap& overlap) const
 {
+  Keep(note, overlap.first, overlap.second, overlap.area * this->SquareMetresPerSceneArea());
+  note.apart = std::max(note.apart, overlap.Apart() / this->Place.scale);
+}
+
+void Scene::MarkSharedPlace(const FacetOverlap& overlap)
+{
+  const std::uint32_t first = overlap.first, second = overlap.second;
+  SharedPlaceNotes& notes = this->Found.sharedPlaces;
   const auto mark = [&](SharedPlaceNote& note, unsigned bits, unsigned ofSecond)
   {
     this->Shared[first] = static_cast<std::uint8_t>(this->Shared[first] | bits);
     this->Shared[second] = static_cast<std::uint8_t>(this->Shared[second] | bits | ofSecond);
-    Keep(note, first, second, area);
+    this->NoteOverlap(note, overlap);
   };
   this->Shared.resize(this->FacetRecords.size(), 0);
+  this->Apart.resize(this->FacetRecords.size(), 0.0f);
+  constexpr double Reserve = 1.01; // their planes may be inclined, see SameSheet
+  const auto apart = static_cast<float>(Reserve * overlap.Apart());
+  this->Apart[first] = std::max(this->Apart[first], apart);
+  this->Apart[second] = std::max(this->Apart[second], apart);
   const bool bothShine = !this->FacetExitance.empty() && this->FacetExitance[first] > 0.0f &&
     this->FacetExitance[second] > 0.0f;
-  if (copies)
+  if (overlap.copies)
   {
     mark(notes.copies, SharesPlace,
       IsCopy | CornersOf(this->FacetRecords[second].vertices, this->FacetRecords[first].vertices));
@@ -113,6 +126,37 @@ void Scene::MarkSharedPlace(
   }
 }
 
+/// Marks those that belong to sheets in one place, and notes those that are left to chance.
+void Scene::JoinNearOverlaps(NearOverlaps& near)
+{
+  if (near.Empty())
+  {
+    return;
+  }
+  std::vector<std::uint32_t> inOnePlace;
+  for (std::uint32_t f = 0; f < this->Shared.size(); ++f)
+  {
+    if ((this->Shared[f] & OverlapsInPart) != 0)
+    {
+      inOnePlace.push_back(f);
+    }
+  }
+  for (const FacetOverlap& overlap : near.TakeJoined(inOnePlace))
+  {
+    this->MarkSharedPlace(overlap);
+  }
+  SharedPlaceNote& note = this->Found.sharedPlaces.leftToChance;
+  std::vector<std::uint32_t> facets;
+  for (const FacetOverlap& overlap : near.LeftToChance())
+  {
+    this->NoteOverlap(note, overlap);
+    facets.insert(facets.end(), { overlap.first, overlap.second });
+  }
+  std::sort(facets.begin(), facets.end());
+  note.facets =
+    static_cast<std::size_t>(std::unique(facets.begin(), facets.end()) - facets.begin());
+}
+
 void Scene::FindSharedPlaces(const std::vector<glm::vec3>& positions)
 {
   std::vector<FacetPlane> planes(this->FacetRecords.size());
@@ -124,30 +168,48 @@ void Scene::FindSharedPlaces(const std::vector<glm::vec3>& positions)
       {
         const Facet& facet = this->FacetRecords[f];
         const glm::uvec3& ids = facet.vertices;
-        planes[f] = PlaneOf(positions[ids.x], positions[ids.y], positions[ids.z], facet.normal);
+        planes[f] = PlaneOf(
+          positions[ids.x], positions[ids.y], positions[ids.z], facet.normal, this->Rounding);
         facets[f] = ids;
       }
     });
   const std::vector<PlaneMember> groups = SharedPlanes(planes);
   this->DoubleSheets = FacetsOfDoubleSheets(planes, groups);
-  SharedPlaceNotes& notes = this->Found.sharedPlaces;
-  ForEachOverlap({ positions, facets, planes, groups },
+  NearOverlaps near(positions, facets);
+  ForEachOverlap({ positions, facets, planes, groups, this->Rounding },
     [&](const FacetOverlap& overlap)
     {
-      this->MarkSharedPlace(overlap.first, overlap.second,
-        overlap.area * this->SquareMetresPerSceneArea(), overlap.copies, notes);
+      if (overlap.excess <= 1.0)
+      {
+        this->MarkSharedPlace(overlap);
+      }
+      else
+      {
+        near.Add(overlap);
+      }
     });
-  const auto finish = [&](SharedPlaceNote& note, unsigned bit)
+  this->JoinNearOverlaps(near);
+  this->FinishNotesOnSharedPlaces();
+}
+
+void Scene::FinishNotesOnSharedPlaces()
+{
+  SharedPlaceNotes& notes = this->Found.sharedPlaces;
+  const auto count = [&](SharedPlaceNote& note, unsigned bit)
   {
     note.facets = static_cast<std::size_t>(std::count_if(this->Shared.begin(), this->Shared.end(),
       [&](std::uint8_t mark) { return (mark & bit) != 0; }));
-    note.first = this->InSurface(note.first);
-    note.second = this->InSurface(note.second);
   };
-  finish(notes.copies, IsCopy);
-  finish(notes.inPart, OverlapsInPart);
-  finish(notes.unlikeMaterials, UnlikeMaterials);
-  finish(notes.shineToo, ShinesToo);
+  count(notes.copies, IsCopy);
+  count(notes.inPart, OverlapsInPart);
+  count(notes.unlikeMaterials, UnlikeMaterials);
+  count(notes.shineToo, ShinesToo);
+  for (SharedPlaceNote* note :
+    { &notes.copies, &notes.inPart, &notes.unlikeMaterials, &notes.shineToo, &notes.leftToChance })
+  {
+    note->first = this->InSurface(note->first);
+    note->second = this->InSurface(note->second);
+  }
 }
 
 void Scene::FindSharers(Hit& hit, std::vector<Sharer>& sharers) const
@@ -161,7 +223,9 @@ void Scene::FindSharers(Hit& hit, std::vector<Sharer>& sharers) const
     point += weights[c] / (weights.x + weights.y + weights.z) *
       glm::dvec3(this->VertexRecords[met.vertices[c]].position);
   }
-  const double near = double{ SheetGap } * this->Reach(point);
+  const double near = double{ SheetGap } * this->Reach(point) + double{ CornerGap };
+  const double apart{ this->Apart[hit.facet] };
+  const float lift = hit.part == NoPartButLifted ? hit.inPart.x : 0.0f; // see FindFront
   const int axis = BestAxis(met.normal);
   const auto look = [&](std::uint32_t f)
   {
@@ -174,7 +238,7 @@ void Scene::FindSharers(Hit& hit, std::vector<Sharer>& sharers) const
       glm::dvec3(this->VertexRecords[facet.vertices.y].position),
       glm::dvec3(this->VertexRecords[facet.vertices.z].position) };
     const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    const double gap = near + double{ CornerGap };
+    const double gap = near + std::min(apart, double{ this->Apart[f] });
     if (std::fabs(glm::dot(point - corners[0], normal)) <= gap * glm::length(normal))
     {
       if (const auto there = Inside(point, corners, axis))
@@ -183,7 +247,8 @@ void Scene::FindSharers(Hit& hit, std::vector<Sharer>& sharers) const
       }
     }
   };
-  this->Bvh->ForEachNear(glm::vec3(point), static_cast<float>(near + double{ CornerGap }), look);
+  // Seen along the axis a facet may be farther from the point than its plane is.
+  this->Bvh->ForEachNear(glm::vec3(point), static_cast<float>(near + 2.0 * apart), look);
   std::sort(sharers.begin(), sharers.end(),
     [](const Sharer& a, const Sharer& b) { return a.facet < b.facet; });
   sharers.erase(std::unique(sharers.begin(), sharers.end(),
@@ -199,6 +264,11 @@ void Scene::FindSharers(Hit& hit, std::vector<Sharer>& sharers) const
     hit.facet = sharers.back().facet;
     hit.barycentric = sharers.back().barycentric;
     hit.part = NoPart;
+  }
+  if (this->Apart[hit.facet] > 0.0f || lift > 0.0f)
+  {
+    hit.part = NoPartButLifted;
+    hit.inPart = glm::vec3(lift);
   }
 }
 

@@ -14,7 +14,8 @@ constexpr unsigned AllCorners = 7;
 
 /// Facets in one plane that face the same way and have a part in common: each of them registers
 /// the light that arrives there, and the last one in the list decides what becomes of it, as if it
-/// lay on top.
+/// lay on top. A plane is one up to rounding, of the data's coordinates too; light that leaves such
+/// facets starts beyond all of them.
 ///
 /// A vertex that belongs to a facet and to a copy of it counts the light and the area once. For
 /// that the three lowest bits mark the corners of a copy that an earlier facet has counted already.
@@ -42,12 +43,15 @@ struct SharedPlaceNote
   std::size_t facets = 0;
   std::uint32_t first = 0, second = 0; ///< In the surface's list.
   double squareMetres = 0.0;           ///< What these two have in common.
+  double apart = 0.0;                  ///< How far any two are apart at most, in the data's unit.
 };
 
 /// The notes on all facets that share their place, by the way in which they do.
 struct SharedPlaceNotes
 {
   SharedPlaceNote copies, inPart, unlikeMaterials, shineToo;
+  /// Facets that nearly do, see NearOverlaps: chance decides which of them light meets.
+  SharedPlaceNote leftToChance;
 };
 
 } // namespace PhotonTransport

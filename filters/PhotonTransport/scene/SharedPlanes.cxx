@@ -14,27 +14,48 @@ namespace
 {
 
 /// Planes are told apart by the point nearest to the origin, which does not depend on the side they
-/// face, in cells of this size.
-constexpr float CellsPerUnit = 1024.0f;
+/// face, in cells of this size. Where the data are rounded too much for that, cells are larger.
+constexpr float MostCellsPerUnit = 1024.0f;
+constexpr float LeastCellsPerUnit = 64.0f;
 
 /// Keeps coordinates that are common in drawings away from the borders of cells.
 constexpr float Shift = 0.3f;
 
 /// A plane near the border of a cell is in the neighbour too; more than half a cell is not needed.
-constexpr float MostUncertain = 0.5f / CellsPerUnit;
+constexpr float MostUncertain(float cellsPerUnit)
+{
+  return 0.5f / cellsPerUnit;
+}
+
+/// As many cells as most planes can be told apart in.
+float ChooseCellsPerUnit(const std::vector<FacetPlane>& planes)
+{
+  constexpr float Coarse = 0x1p-21f; // eight times the rounding of the scene's own coordinates
+  constexpr std::ptrdiff_t Few = 16; // one in so many may be a needle
+  float cells = MostCellsPerUnit;
+  const auto isTooUncertain = [&](const FacetPlane& plane)
+  { return plane.rounding > Coarse && plane.uncertainty > MostUncertain(cells); };
+  while (cells > LeastCellsPerUnit &&
+    Few * std::count_if(planes.begin(), planes.end(), isTooUncertain) >
+      static_cast<std::ptrdiff_t>(planes.size()))
+  {
+    cells /= 2.0f;
+  }
+  return cells;
+}
 
 /// Calls f(cell) for the cells in which a plane may lie.
 template <typename F>
-void ForEachCell(const FacetPlane& plane, const F& f)
+void ForEachCell(const FacetPlane& plane, float cellsPerUnit, const F& f)
 {
   const glm::vec3 nearest = glm::dot(plane.point, plane.normal) * plane.normal;
-  const float reach = std::min(plane.uncertainty, MostUncertain);
+  const float reach = std::min(plane.uncertainty, MostUncertain(cellsPerUnit));
   std::uint64_t first[3], last[3];
   for (int i = 0; i < 3; ++i)
   {
-    const float low = (nearest[i] + 2.0f - reach) * CellsPerUnit + Shift; // within [0, 2^13)
+    const float low = (nearest[i] + 2.0f - reach) * cellsPerUnit + Shift; // within [0, 2^13)
     first[i] = static_cast<std::uint64_t>(low);
-    last[i] = static_cast<std::uint64_t>(low + 2.0f * reach * CellsPerUnit);
+    last[i] = static_cast<std::uint64_t>(low + 2.0f * reach * cellsPerUnit);
   }
   for (std::uint64_t x = first[0]; x <= last[0]; ++x)
   {
@@ -78,29 +99,34 @@ private:
 
 } // namespace
 
-FacetPlane PlaneOf(
-  const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& normal)
+FacetPlane PlaneOf(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
+  const glm::vec3& normal, const DataRounding& rounding)
 {
   // A corner is rounded by 2^-25 in each coordinate, a facet of least height h leans by no more
-  // than 2^-23 / h from that, and the nearest point moves by twice that times its distance.
+  // than 2^-23 / h from that, and the nearest point moves by twice that times its distance. What
+  // the data's rounding moves corners out of the plane adds to it.
   const glm::vec3 u = b - a, v = c - a, w = c - b;
   const float longest = std::max({ glm::dot(u, u), glm::dot(v, v), glm::dot(w, w) });
   const float twiceArea = glm::length(glm::cross(u, v));
-  const float lean = 0x1p-22f * std::sqrt(longest) / twiceArea;
-  return { a, normal, 2.0f * SheetGap + glm::length(a) * lean };
+  const auto off = [&](const glm::vec3& p)
+  { return static_cast<float>(rounding.Along(glm::dvec3(normal), glm::dvec3(p))); };
+  const float most = rounding.relative > 0.0 ? std::max({ off(a), off(b), off(c) }) : 0.0f;
+  const float lean = (0x1p-22f + 4.0f * most) * std::sqrt(longest) / twiceArea;
+  return { a, normal, 2.0f * SheetGap + 2.0f * most + glm::length(a) * lean, most };
 }
 
 std::vector<PlaneMember> SharedPlanes(const std::vector<FacetPlane>& planes)
 {
+  const float cellsPerUnit = ChooseCellsPerUnit(planes);
   CellCounts counts(planes.size());
   for (const FacetPlane& plane : planes)
   {
-    ForEachCell(plane, [&](std::uint64_t cell) { counts.Add(cell); });
+    ForEachCell(plane, cellsPerUnit, [&](std::uint64_t cell) { counts.Add(cell); });
   }
   std::vector<PlaneMember> members;
   for (std::uint32_t f = 0; f < planes.size(); ++f)
   {
-    ForEachCell(planes[f],
+    ForEachCell(planes[f], cellsPerUnit,
       [&](std::uint64_t cell)
       {
         if (counts.HasCompany(cell))

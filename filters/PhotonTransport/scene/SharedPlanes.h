@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/scene/DataRounding.h"
+
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -12,11 +14,13 @@ namespace PhotonTransport
 {
 
 /// Two sheets are in one place if they are this close, relative to the reach of a point
-/// (Scene::Reach): a ray's distance to a sheet is rounded by as much.
+/// (Scene::Reach): a ray's distance to a sheet is rounded by as much. The rounding of the data
+/// comes on top of that (DataRounding).
 constexpr float SheetGap = 0x1p-20f;
 
 /// Facets that overlap and face the same way may be farther apart by this, relative to the largest
-/// coordinate of their corners: the corners are rounded, too.
+/// coordinate of their corners: the corners are rounded, too. What the rounding of the data adds
+/// is FacetPlane::rounding of both.
 constexpr float CornerGap = 0x1p-23f;
 
 /// Two planes that close count as one if the cosine between their normals is above this.
@@ -30,11 +34,13 @@ struct FacetPlane
   /// By how much the rounding of the facet's corners may move that point of the plane which is
   /// nearest to the origin.
   float uncertainty = SheetGap;
+  /// How far the facet may be off that plane by the rounding of the data, see DataRounding.
+  float rounding = 0.0f;
 };
 
 /// A facet's plane through its rounded corners.
-FacetPlane PlaneOf(
-  const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& normal);
+FacetPlane PlaneOf(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
+  const glm::vec3& normal, const DataRounding& rounding);
 
 /// A facet in a group of facets whose planes are near each other, whichever way they face.
 struct PlaneMember

@@ -64,6 +64,11 @@ void ValidateSizes(const Surface& surface)
     Refuse(Where::TraceSettings, 0, "metres per unit is ", surface.metresPerUnit,
       "; it must be a finite number above 0");
   }
+  if (!(surface.rounding >= 0.0) || !std::isfinite(surface.rounding))
+  {
+    Refuse(Where::Surface, 0, "the rounding of its points is ", surface.rounding,
+      "; it must be a finite number >= 0");
+  }
 }
 
 /// @param problems Of each material.

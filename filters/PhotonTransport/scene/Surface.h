@@ -22,6 +22,10 @@ struct Surface
   std::vector<float> exitance;        ///< lm/m^2 from the front, one a facet, >= 0; or empty.
   std::vector<Colour> exitanceColour; ///< Its colour, in any scale, >= 0, one a facet; empty: grey.
   double metresPerUnit = 1.0;         ///< > 0, finite.
+  /// By how much each coordinate of `points` was rounded at most before it came here, relative to
+  /// that coordinate: 2^-24 for points of single precision, 0 for double. >= 0, finite. Surfaces
+  /// that lie in one plane up to this are in one place, see SharedPlace.
+  double rounding = 0.0;
 };
 
 /// Throws InvalidInput at the first value outside what Surface promises.

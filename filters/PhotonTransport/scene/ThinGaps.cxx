@@ -75,7 +75,7 @@ private:
   {
     const Facet& facet = this->Surroundings.Facets()[f];
     const glm::vec3 middle(1.0f / 3.0f);
-    const glm::vec3 start = this->Surroundings.SafeOrigin(facet, middle, front);
+    const glm::vec3 start = this->Surroundings.SafeOrigin(f, middle, front);
     const float offset = OriginOffset * this->Surroundings.Reach(start);
     if (facet.marginPerOffset * offset > EdgeClearance / Narrow)
     {
@@ -121,7 +121,7 @@ private:
     const bool inFront = probe.front && glm::dot(ray.direction, other.normal) > 0.0f;
     const bool lit = inFront || this->LetsLightThrough(hit.facet) || !probe.front;
     const double gap = double{ probe.offset } - this->WayTo(ray, hit);
-    const double least = this->IsSolid(probe.facet) ? 0.0 : Rounding * double{ probe.offset };
+    const double least = this->IsSolid(probe.facet) ? 0.0 : this->OnePlace(probe, ray);
     if (!lit || gap < least || this->ShareAPoint(probe.facet, hit.facet))
     {
       return;
@@ -134,6 +134,14 @@ private:
       this->Found.gap = std::max(0.0, gap * unit);
       this->Found.offset = double{ probe.offset } * unit;
     }
+  }
+
+  /// How far apart two facets may be that are meant to be in one place.
+  double OnePlace(const Probe& probe, const Ray& ray) const
+  {
+    const double data = 2.0 *
+      this->Surroundings.GetRounding().Along(glm::dvec3(ray.direction), glm::dvec3(ray.origin));
+    return std::max(Rounding * double{ probe.offset }, data);
   }
 
   double WayTo(const Ray& ray, const Hit& hit) const

@@ -12,8 +12,9 @@ class Scene;
 /// Gaps too thin for the rays there. A ray starts a little above the facet that it leaves
 /// (OriginOffset); if another facet is nearer than that, light passes it unseen. A gap counts only
 /// where light may be in it: in front of both facets, or beside one that lets light through. A
-/// facet nearer than an eighth of the offset is taken to be in the same place, unless the facet
-/// that the ray leaves is the surface of a solid body. Facets that share a point are not compared.
+/// facet nearer than an eighth of the offset, or than the rounding of the data explains, is taken
+/// to be in the same place, unless the facet that the ray leaves is the surface of a solid body.
+/// Facets that share a point are not compared.
 struct ThinGaps
 {
   /// Facets that have such a gap at their middle; one that lets light through counts for each side

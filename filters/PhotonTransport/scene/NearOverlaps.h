@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PhotonTransport/scene/OverlappingFacets.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace PhotonTransport
+{
+
+/// Overlaps of facets that are farther apart than rounding explains (FacetOverlap::excess above 1).
+///
+/// What rounding explains differs from place to place. A sheet that lies in the plane of another
+/// one in some places and a little off it in others is in one place with it as a whole: else one
+/// facet would get the light and its neighbour would not. So overlaps up to an excess of 16 join
+/// those that they are connected with by a corner of both facets.
+class NearOverlaps
+{
+public:
+  /// @param positions, facets Must outlive this.
+  NearOverlaps(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& facets)
+    : Positions(positions)
+    , Facets(facets)
+  {
+  }
+
+  void Add(const FacetOverlap& overlap) { this->Overlaps.push_back(overlap); }
+  bool Empty() const { return this->Overlaps.empty(); }
+
+  /// Takes out the overlaps that belong to sheets in one place.
+  /// @param inOnePlace Facets that overlap others in one plane, (facet).
+  std::vector<FacetOverlap> TakeJoined(const std::vector<std::uint32_t>& inOnePlace);
+
+  /// The other overlaps where it is left to chance which facet gets the light: they are connected
+  /// with sheets in one place, or one of the facets lies behind another one and in front of another
+  /// one or the same. To be called after TakeJoined.
+  std::vector<FacetOverlap> LeftToChance() const;
+
+private:
+  void JoinPositions(const std::vector<std::uint32_t>& inOnePlace);
+  void Mark(std::uint32_t facet);
+  bool IsMarked(std::uint32_t facet) const;
+  bool AreMarked(const FacetOverlap& overlap) const
+  {
+    return this->IsMarked(overlap.first) && this->IsMarked(overlap.second);
+  }
+
+  const std::vector<glm::vec3>& Positions;
+  const std::vector<glm::uvec3>& Facets;
+  std::vector<FacetOverlap> Overlaps;
+  std::vector<std::uint32_t> First; ///< By point: the first point of those in its place.
+  std::vector<std::uint8_t> Marks;  ///< By point: it belongs to a sheet in one place with others.
+};
+
+} // namespace PhotonTransport
