@@ -59,9 +59,9 @@ void TracedMap::ExpectSound(const IlluminationMap& side) const
 
 void TracedMap::ExpectFluxWithinBounds(const TraceSettings& settings) const
 {
-  const double arrived = this->flux *
-    static_cast<double>(this->balance.segments - this->balance.escaped) /
-    static_cast<double>(this->balance.emitted);
+  // The flux of a photon first: the largest fluxes that are allowed times the hits would overflow.
+  const double arrived = this->flux / static_cast<double>(this->balance.emitted) *
+    static_cast<double>(this->balance.segments - this->balance.escaped);
   const double registered = this->RegisteredFlux(this->front) + this->RegisteredFlux(this->back);
   const double most = arrived * static_cast<double>(MostFacetsInOnePlace(this->scene));
   // Three weights of a hit are rounded to 2^-28 each, and sums of floats to 2^-24.
