@@ -139,7 +139,7 @@ TEST(Case8, PhotonsBeyondTheLimitAreRefused)
 
 TEST(Case8, SumsEndARunBeforeTheyOverflow)
 {
-  ReplicateSums sums{ std::vector<IlluminationSums>(8, IlluminationSums(3, true)) };
+  ReplicateSums sums{ std::vector<IlluminationSums>(8, IlluminationSums(3, true)), {} };
   EXPECT_FALSE(sums.AreFull());
   for (IlluminationSums& replicate : sums.replicates)
   {

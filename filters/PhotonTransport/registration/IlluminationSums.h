@@ -84,7 +84,7 @@ struct LightLayers
 
 /// E = (flux / N) V / A, lx; 0 where no photon or no area is. @param flux lm. @param area m^2.
 /// @param weights V, from the sums of `photons` photons.
-inline double Illuminance(double flux, double area, double weights, double photons)
+inline double IlluminanceOf(double flux, double area, double weights, double photons)
 {
   // In this order, since the flux of one weight may be too small for a normal number.
   return area > 0.0 && photons > 0.0 ? flux / area * weights / photons : 0.0;

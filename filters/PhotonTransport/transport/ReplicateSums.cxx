@@ -116,9 +116,9 @@ IlluminationMap ReplicateSums::Map(Side side, double flux, const std::vector<dou
     [&](std::size_t v)
     {
       const double error = fewHits.StandardError(map.standardError[v], map.photonHits[v]);
-      map.direct[v] = Illuminance(flux, areas[v], map.direct[v], emitted);
-      map.indirect[v] = Illuminance(flux, areas[v], map.indirect[v], emitted);
-      map.standardError[v] = Illuminance(flux, areas[v], error, emitted);
+      map.direct[v] = IlluminanceOf(flux, areas[v], map.direct[v], emitted);
+      map.indirect[v] = IlluminanceOf(flux, areas[v], map.indirect[v], emitted);
+      map.standardError[v] = IlluminanceOf(flux, areas[v], error, emitted);
     });
   return map;
 }
@@ -160,7 +160,7 @@ GroupMeans ReplicateSums::FrontByGroups(double flux, const std::vector<double>& 
     const double shift = FromFixedPoint(total) / all - unweighted;
     for (double& mean : means)
     {
-      mean = Illuminance(flux, areas[v], mean + shift, 1.0);
+      mean = IlluminanceOf(flux, areas[v], mean + shift, 1.0);
     }
     return means;
   };
@@ -184,7 +184,7 @@ std::vector<std::array<double, 3>> ReplicateSums::FrontByColour(
   {
     for (std::size_t c = 0; c < 3; ++c)
     {
-      front[v][c] = Illuminance(flux, areas[v], this->layers.Weights(v, c), emitted) /
+      front[v][c] = IlluminanceOf(flux, areas[v], this->layers.Weights(v, c), emitted) /
         double{ LuminousWeights[static_cast<int>(c)] };
     }
   }
@@ -198,8 +198,8 @@ std::vector<double> ReplicateSums::FrontOfLamp(
   std::vector<double> front(areas.size(), 0.0);
   for (std::size_t v = 0; v < front.size() && this->layers.HasLamps(); ++v)
   {
-    front[v] =
-      Illuminance(flux, areas[v], this->layers.Weights(v, this->layers.firstLamp + lamp), emitted);
+    front[v] = IlluminanceOf(
+      flux, areas[v], this->layers.Weights(v, this->layers.firstLamp + lamp), emitted);
   }
   return front;
 }
