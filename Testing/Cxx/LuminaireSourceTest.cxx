@@ -18,6 +18,8 @@
 #include <fstream>
 #include <limits>
 
+using namespace Illumination;
+
 namespace
 {
 

@@ -17,6 +17,8 @@
 #include <functional>
 #include <string>
 
+using namespace Illumination;
+
 inline vtkSmartPointer<vtkLuminaireSource> Source(int type)
 {
   auto source = vtkSmartPointer<vtkLuminaireSource>::New();

@@ -31,6 +31,8 @@
 #include <cmath>
 #include <new>
 
+using namespace Illumination;
+
 vtkStandardNewMacro(vtkIlluminationMap);
 
 namespace

@@ -74,8 +74,12 @@
 #include <vector>  // for luminaires
 
 class vtkTable;
+
+namespace Illumination
+{
 struct LuminaireInput;
 struct SurfaceDescription;
+}
 
 namespace PhotonTransport
 {
@@ -552,13 +556,13 @@ private:
   vtkIlluminationMap(const vtkIlluminationMap&) = delete;
   void operator=(const vtkIlluminationMap&) = delete;
 
-  using Luminaires = std::vector<LuminaireInput>;
+  using Luminaires = std::vector<Illumination::LuminaireInput>;
 
   // The properties in the core's terms; each throws for values out of range.
   PhotonTransport::Lighting MakeLighting(const Luminaires& luminaires);
   PhotonTransport::TraceSettings MakeTraceSettings();
   PhotonTransport::StopRules MakeStopRules();
-  SurfaceDescription DescribeSurface(bool otherLamps);
+  Illumination::SurfaceDescription DescribeSurface(bool otherLamps);
   std::uint64_t MemoryLimitInBytes(); ///< 0 for what the machine has.
 
   template <typename Value>

@@ -20,6 +20,8 @@
 #include <type_traits>
 #include <utility>
 
+using namespace Illumination;
+
 namespace
 {
 

@@ -19,6 +19,8 @@
 #include <algorithm>
 #include <cmath>
 
+using namespace Illumination;
+
 vtkStandardNewMacro(vtkIlluminationMapSmoothing);
 
 namespace

@@ -22,6 +22,8 @@
 #include <sstream>
 #include <type_traits>
 
+using namespace Illumination;
+
 vtkStandardNewMacro(vtkLuminaireSource);
 
 namespace

@@ -41,7 +41,10 @@
 
 #include <string> // for names
 
+namespace Illumination
+{
 struct LuminaireGlyph;
+}
 
 namespace PhotonTransport
 {
@@ -250,7 +253,7 @@ private:
   // What the properties describe; each throws for values that the type of lamp uses and that are
   // out of range, and for a file that can't be read.
   PhotonTransport::Luminaire MakeLuminaire();
-  LuminaireGlyph MakeGlyph();
+  Illumination::LuminaireGlyph MakeGlyph();
 };
 
 #endif

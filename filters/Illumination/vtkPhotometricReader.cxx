@@ -22,6 +22,8 @@
 #include <string>
 #include <utility>
 
+using namespace Illumination;
+
 vtkStandardNewMacro(vtkPhotometricReader);
 
 namespace

@@ -14,6 +14,8 @@
 #include <new>
 #include <string>
 
+using namespace Illumination;
+
 int vtkSurfaceAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");

@@ -19,6 +19,8 @@
 #include <sstream>
 #include <vector>
 
+using namespace Illumination;
+
 vtkStandardNewMacro(vtkSurfaceMaterial);
 
 static_assert(static_cast<int>(MaterialPreset::WhitePaint) == vtkSurfaceMaterial::WHITE_PAINT &&

@@ -23,6 +23,8 @@
 #include <string>
 #include <utility>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -119,3 +121,5 @@ std::optional<Luminaire> ReadEmittingSurface(vtkPolyData* data)
   return Luminaire{ std::move(mesh), named ? std::string(name->GetValue(0)) : "",
     WithLargestOne(light) };
 }
+
+} // namespace Illumination

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -137,3 +139,5 @@ PhotonTransport::Similarity FindMotion(const Points& was, const Points& is)
   motion.after = is.front() + sign * best.shift;
   return motion;
 }
+
+} // namespace Illumination

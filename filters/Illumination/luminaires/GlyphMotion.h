@@ -7,6 +7,9 @@
 
 #include <vector>
 
+namespace Illumination
+{
+
 /// The motion that takes each point from where it was to where it is. No point may be off by more
 /// than 0.1 % of the largest distance of a point from the first one: that is room for the rounding
 /// of coordinates, and too little to be seen in the light. Where a rotation and a mirror image fit
@@ -15,5 +18,7 @@
 /// @param was, is As many points each.
 PhotonTransport::Similarity FindMotion(
   const std::vector<glm::dvec3>& was, const std::vector<glm::dvec3>& is);
+
+} // namespace Illumination
 
 #endif

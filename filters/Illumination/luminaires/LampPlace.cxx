@@ -7,6 +7,8 @@
 
 #include <limits>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -68,3 +70,5 @@ std::string HintOnUnits(const glm::dvec3& place, const Box& box)
   }
   return "";
 }
+
+} // namespace Illumination

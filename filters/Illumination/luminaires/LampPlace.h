@@ -11,6 +11,9 @@
 #include <optional>
 #include <string>
 
+namespace Illumination
+{
+
 struct Box
 {
   glm::dvec3 least;
@@ -27,5 +30,7 @@ std::optional<glm::dvec3> PlaceOf(const PhotonTransport::Lamp& lamp);
 /// For a place that is as far from the box as a lamp would be whose position is in another unit of
 /// length, and would be in the box in that unit, a sentence that says so; otherwise empty.
 std::string HintOnUnits(const glm::dvec3& place, const Box& box);
+
+} // namespace Illumination
 
 #endif

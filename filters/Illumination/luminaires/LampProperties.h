@@ -13,6 +13,9 @@
 #include <string>
 #include <utility>
 
+namespace Illumination
+{
+
 /// Gives a lamp its values (see PhotonTransport::DescribedLamp). Each comes from a function, under
 /// the name and in the unit of the field array that holds it; so only those are asked, and may
 /// throw for what is out of range, which the kind of lamp has.
@@ -54,5 +57,7 @@ private:
   std::map<std::string, Value> Values;
   std::function<PhotonTransport::PhotometricSolid()> Solid;
 };
+
+} // namespace Illumination
 
 #endif

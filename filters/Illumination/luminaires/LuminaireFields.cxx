@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <sstream>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -136,3 +138,5 @@ std::optional<Luminaire> ReadLuminaire(vtkPolyData* data)
   }
   return ReadEmittingSurface(data);
 }
+
+} // namespace Illumination

@@ -11,6 +11,9 @@
 class vtkFieldData;
 class vtkPolyData;
 
+namespace Illumination
+{
+
 /// Adds field arrays that hold a luminaire: LuminaireType and LuminaireName (text), LuminaireColour
 /// (3 components) and what its type needs. Throws InputError for emitting surfaces, which are not
 /// described by field data.
@@ -30,5 +33,7 @@ bool HasLuminaireFields(vtkFieldData* fields);
 /// data with both, for LuminaireError, for a photometric lamp that was mirrored and is not
 /// symmetric, and as MotionOf does.
 std::optional<PhotonTransport::Luminaire> ReadLuminaire(vtkPolyData* data);
+
+} // namespace Illumination
 
 #endif

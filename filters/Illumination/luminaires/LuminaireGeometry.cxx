@@ -26,6 +26,8 @@
 #include <variant>
 #include <vector>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -250,3 +252,5 @@ vtkSmartPointer<vtkPolyData> LuminaireGeometry(const Lamp& lamp, const Luminaire
 {
   return std::visit(Geometry(glyph), lamp);
 }
+
+} // namespace Illumination

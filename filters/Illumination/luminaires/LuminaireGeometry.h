@@ -8,6 +8,9 @@
 
 class vtkPolyData;
 
+namespace Illumination
+{
+
 /// How lamps are drawn that have no size of their own.
 struct LuminaireGlyph
 {
@@ -25,5 +28,7 @@ struct LuminaireGlyph
 /// surfaces give no points.
 vtkSmartPointer<vtkPolyData> LuminaireGeometry(
   const PhotonTransport::Lamp& lamp, const LuminaireGlyph& glyph);
+
+} // namespace Illumination
 
 #endif

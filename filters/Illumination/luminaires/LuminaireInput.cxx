@@ -10,6 +10,8 @@
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
 
+namespace Illumination
+{
 namespace
 {
 
@@ -81,3 +83,5 @@ std::vector<LuminaireInput> LuminaireInputs(vtkInformationVector* port)
   }
   return inputs;
 }
+
+} // namespace Illumination

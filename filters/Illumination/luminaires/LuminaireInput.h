@@ -11,6 +11,9 @@
 class vtkInformationVector;
 class vtkPolyData;
 
+namespace Illumination
+{
+
 struct LuminaireInput
 {
   vtkSmartPointer<vtkPolyData> data;
@@ -20,5 +23,7 @@ struct LuminaireInput
 /// One for each connection; for a composite data set one for each block that is not empty. Throws
 /// InputError for data that are no vtkPolyData, and for a group without a luminaire.
 std::vector<LuminaireInput> LuminaireInputs(vtkInformationVector* port);
+
+} // namespace Illumination
 
 #endif

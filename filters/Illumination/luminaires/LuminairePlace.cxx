@@ -22,6 +22,8 @@
 #include <string>
 #include <vector>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -190,3 +192,5 @@ bool HasLuminairePoints(vtkPolyData* data)
 {
   return data->GetPointData()->HasArray(PointArray) != 0;
 }
+
+} // namespace Illumination

@@ -8,6 +8,9 @@
 
 class vtkPolyData;
 
+namespace Illumination
+{
+
 /// Adds to a glyph whose field data describe a luminaire the point array LuminairePoint (x, y, z
 /// and the luminaire's key) and the field array LuminaireGlyph (that key, area and length of the
 /// cells). Four components, because filters turn arrays of three as vectors.
@@ -20,5 +23,7 @@ PhotonTransport::Similarity MotionOf(vtkPolyData* glyph);
 
 /// Whether the data have the point array LuminairePoint.
 bool HasLuminairePoints(vtkPolyData* data);
+
+} // namespace Illumination
 
 #endif

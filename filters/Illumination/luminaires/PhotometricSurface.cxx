@@ -16,6 +16,8 @@
 #include <set>
 #include <vector>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -188,3 +190,5 @@ void DrawPhotometricSolid(const PhotometricSolid& solid, double size, vtkPolyDat
   drawing.Draw();
   drawing.Give(surface);
 }
+
+} // namespace Illumination

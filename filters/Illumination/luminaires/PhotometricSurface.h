@@ -2,11 +2,15 @@
 #ifndef PhotometricSurface_h
 #define PhotometricSurface_h
 
+class vtkPolyData;
+
 namespace PhotonTransport
 {
 struct PhotometricSolid;
 }
-class vtkPolyData;
+
+namespace Illumination
+{
 
 /// Draws a solid about the origin as a closed surface whose facets look outwards. The distance of
 /// the surface from the origin is in proportion to the intensity in that direction, which the point
@@ -14,5 +18,7 @@ class vtkPolyData;
 /// point there stands for all dark directions. @param size Distance of the largest intensity, > 0.
 void DrawPhotometricSolid(
   const PhotonTransport::PhotometricSolid& solid, double size, vtkPolyData* surface);
+
+} // namespace Illumination
 
 #endif

@@ -3,6 +3,8 @@
 
 #include <sstream>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -106,3 +108,5 @@ std::vector<std::string> EffectLines(
       : "back side: off, its registration was not asked for");
   return lines;
 }
+
+} // namespace Illumination

@@ -22,6 +22,8 @@
 #include <iterator>
 #include <numeric>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -268,3 +270,5 @@ std::vector<std::string> NotesOn(const PhotonTransport::Lighting& lighting)
   }
   return notes;
 }
+
+} // namespace Illumination

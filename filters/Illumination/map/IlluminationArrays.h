@@ -7,9 +7,13 @@
 #include <string>
 #include <vector>
 
-class SceneBlocks;
 class vtkFieldData;
 class vtkTable;
+
+namespace Illumination
+{
+
+class SceneBlocks;
 
 /// Point arrays beyond those that every map has.
 struct WantedArrays
@@ -43,5 +47,7 @@ std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTranspor
 
 /// What the readers of photometric files assumed, in words.
 std::vector<std::string> NotesOn(const PhotonTransport::Lighting& lighting);
+
+} // namespace Illumination
 
 #endif

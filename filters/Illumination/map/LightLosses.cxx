@@ -13,6 +13,8 @@
 #include <utility>
 #include <variant>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -209,3 +211,5 @@ ScatteredLight ScatteredLightOf(const TracedScene& traced)
   scattered.onBacks = traced.backSide || throughBacks ? 0 : balance.onBacks - first.back;
   return scattered;
 }
+
+} // namespace Illumination

@@ -9,6 +9,9 @@
 #include <cstdint>
 #include <vector>
 
+namespace Illumination
+{
+
 class SceneBlocks;
 
 /// What a filter has traced, and what its user calls it.
@@ -56,5 +59,7 @@ ScatteredLight ScatteredLightOf(const TracedScene& traced);
 
 /// 0 where the whole is.
 double Share(std::uint64_t part, std::uint64_t whole);
+
+} // namespace Illumination
 
 #endif

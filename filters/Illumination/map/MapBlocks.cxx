@@ -12,6 +12,8 @@
 
 #include <algorithm>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -112,3 +114,5 @@ std::vector<PhotonTransport::GroupValues> MapBlocks::Groups(const std::string& a
     { tuples->GetTuple(tuple, groups[point].data()); });
   return groups;
 }
+
+} // namespace Illumination

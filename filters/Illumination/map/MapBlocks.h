@@ -18,6 +18,9 @@
 class vtkDataArray;
 class vtkDataObject;
 
+namespace Illumination
+{
+
 /// The polygonal blocks of a data object as one list of points with their triangles
 /// (SurfaceTriangles), and the point arrays on them.
 class MapBlocks
@@ -79,5 +82,7 @@ private:
   std::vector<glm::uvec3> AllFacets;
   std::vector<std::pair<std::size_t, std::size_t>> OwnerOfGhost; ///< Of points.
 };
+
+} // namespace Illumination
 
 #endif

@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <sstream>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -173,3 +175,5 @@ std::vector<std::string> NotesOnMesh(
   AddNoteOnSharedPoints(notes, blocks);
   return notes;
 }
+
+} // namespace Illumination

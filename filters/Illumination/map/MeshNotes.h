@@ -5,16 +5,21 @@
 #include <string>
 #include <vector>
 
-class SceneBlocks;
-
 namespace PhotonTransport
 {
 struct SceneNotes;
 }
 
+namespace Illumination
+{
+
+class SceneBlocks;
+
 /// What was found in the cells, points and normals, and mended or left out, in words; empty if
 /// there was nothing.
 std::vector<std::string> NotesOnMesh(
   const SceneBlocks& blocks, const PhotonTransport::SceneNotes& found);
+
+} // namespace Illumination
 
 #endif

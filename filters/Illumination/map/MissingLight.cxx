@@ -13,6 +13,8 @@
 #include <optional>
 #include <sstream>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -237,3 +239,5 @@ void AddArrivals(vtkFieldData* output, const IlluminationRun& run)
   AddArray(output, "FluxOnBacks", std::vector<double>{ run.FluxOf(sum.back) });
   AddArray(output, "FluxEscaped", std::vector<double>{ run.FluxOf(sum.escaped) });
 }
+
+} // namespace Illumination

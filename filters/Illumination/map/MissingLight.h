@@ -8,8 +8,12 @@
 #include <string>
 #include <vector>
 
-struct TracedScene;
 class vtkFieldData;
+
+namespace Illumination
+{
+
+struct TracedScene;
 
 /// What a run's user should know of light that did not arrive on fronts; see
 /// PhotonTransport::Arrivals.
@@ -47,5 +51,7 @@ MissingLight FindMissingLight(const TracedScene& traced, PhotonTransport::StopRe
 
 /// Adds FluxOnFronts, FluxOnBacks and FluxEscaped, lm, to a map's field data.
 void AddArrivals(vtkFieldData* output, const PhotonTransport::IlluminationRun& run);
+
+} // namespace Illumination
 
 #endif

@@ -11,6 +11,9 @@
 #include <type_traits>
 #include <vector>
 
+namespace Illumination
+{
+
 /// Carries values from the scene's vertices to a block's points. A point whose normals were split
 /// has several vertices and gets their mean, weighted by area, which keeps the flux, sum A E. A
 /// ghost point has the vertices of its owner.
@@ -96,5 +99,7 @@ private:
   const std::vector<double>& VertexAreas;
   std::vector<double> Areas;
 };
+
+} // namespace Illumination
 
 #endif

@@ -16,6 +16,8 @@
 
 #include <algorithm>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -188,3 +190,5 @@ std::string SceneBlocks::NameOfVertex(std::size_t vertex) const
   const SceneBlock& block = *(after - 1);
   return NameOf("point", block.pointOfVertex[vertex - block.firstVertex], block);
 }
+
+} // namespace Illumination

@@ -13,6 +13,9 @@
 class vtkDataObject;
 class vtkPolyData;
 
+namespace Illumination
+{
+
 /// All polygonal blocks of a data object as one Surface.
 class SceneBlocks
 {
@@ -41,5 +44,7 @@ private:
   std::vector<SceneBlock> Unlit; ///< Blocks without a triangle, until they are put last.
   std::size_t OtherBlocks = 0;
 };
+
+} // namespace Illumination
 
 #endif

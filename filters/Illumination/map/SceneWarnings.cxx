@@ -7,6 +7,8 @@
 
 #include <sstream>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -99,3 +101,5 @@ std::vector<std::string> WarningsOn(const SceneBlocks& blocks, const PhotonTrans
   }
   return warnings;
 }
+
+} // namespace Illumination

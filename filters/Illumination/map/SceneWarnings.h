@@ -6,12 +6,15 @@
 #include <string>
 #include <vector>
 
-class SceneBlocks;
-
 namespace PhotonTransport
 {
 class Scene;
 }
+
+namespace Illumination
+{
+
+class SceneBlocks;
 
 /// How facets that face the same way in one place were treated. Empty if there are none.
 std::vector<std::string> NotesOnSharedPlaces(
@@ -20,5 +23,7 @@ std::vector<std::string> NotesOnSharedPlaces(
 /// What makes the map wrong in some places, and what to do about each: facets in one place that
 /// have other materials or both shine, and gaps or facets too small for the scene's coordinates.
 std::vector<std::string> WarningsOn(const SceneBlocks& blocks, const PhotonTransport::Scene& scene);
+
+} // namespace Illumination
 
 #endif

@@ -14,6 +14,8 @@
 #include <array>
 #include <map>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -140,3 +142,5 @@ void DescribeMaterials(
     }
   }
 }
+
+} // namespace Illumination

@@ -9,9 +9,14 @@
 
 #include <vector>
 
+namespace Illumination
+{
+
 /// Gives the facets of all blocks their materials, from cell arrays and properties. Throws
 /// InputError that names array or property, cell and value.
 void DescribeMaterials(const std::vector<SceneBlock>& blocks, const SurfaceDescription& description,
   PhotonTransport::Surface& surface);
+
+} // namespace Illumination
 
 #endif

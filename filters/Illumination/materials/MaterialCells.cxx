@@ -14,6 +14,8 @@
 
 #include <array>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -106,3 +108,5 @@ void WriteMaterial(vtkPolyData* data, const std::string& block, const std::vecto
     data->GetCellData()->AddArray(array);
   }
 }
+
+} // namespace Illumination

@@ -9,6 +9,9 @@
 
 class vtkPolyData;
 
+namespace Illumination
+{
+
 /// Throws InputError unless every value is finite and in its range and the shares of each channel
 /// sum to at most 1. @param where The beginning of the message: "cell 7 of block 2: ", or "".
 void RequireValid(const PhotonTransport::MaterialValues& values, const std::string& where);
@@ -21,5 +24,7 @@ void RequireValid(const PhotonTransport::MaterialValues& values, const std::stri
 /// messages name the data: " of block 2", or "".
 void WriteMaterial(vtkPolyData* data, const std::string& block, const std::vector<bool>& chosen,
   const PhotonTransport::Material& material);
+
+} // namespace Illumination
 
 #endif

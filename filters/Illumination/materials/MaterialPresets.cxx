@@ -9,6 +9,8 @@
 //          WindowShadeMaterials.idf.
 #include "Illumination/materials/MaterialPresets.h"
 
+namespace Illumination
+{
 namespace
 {
 
@@ -99,3 +101,5 @@ Material MaterialOf(MaterialPreset preset)
       return Matt(0.5f);
   }
 }
+
+} // namespace Illumination

@@ -4,6 +4,9 @@
 
 #include "PhotonTransport/materials/Material.h"
 
+namespace Illumination
+{
+
 /// Numbered as vtkSurfaceMaterial::Presets.
 enum class MaterialPreset
 {
@@ -21,5 +24,7 @@ enum class MaterialPreset
 };
 
 PhotonTransport::Material MaterialOf(MaterialPreset preset);
+
+} // namespace Illumination
 
 #endif

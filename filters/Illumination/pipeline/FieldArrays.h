@@ -16,6 +16,9 @@
 #include <string>
 #include <vector>
 
+namespace Illumination
+{
+
 template <typename Array, typename Value>
 void AddNumbers(vtkFieldData* data, const char* name, const std::vector<Value>& values)
 {
@@ -67,5 +70,7 @@ inline void AddArray(vtkFieldData* data, const char* name, const std::vector<std
   }
   data->AddArray(array);
 }
+
+} // namespace Illumination
 
 #endif

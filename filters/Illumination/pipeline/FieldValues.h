@@ -13,6 +13,9 @@
 
 #include <cmath>
 
+namespace Illumination
+{
+
 /// Throws InputError.
 [[noreturn]] inline void RefuseField(const std::string& array, const std::string& message)
 {
@@ -183,5 +186,7 @@ private:
 
   vtkFieldData* Fields;
 };
+
+} // namespace Illumination
 
 #endif

@@ -4,11 +4,16 @@
 
 #include <stdexcept>
 
+namespace Illumination
+{
+
 /// Thrown for input that can't be used; what() is the whole message for the user.
 class InputError : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
+
+} // namespace Illumination
 
 #endif

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <vector>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -121,3 +123,5 @@ RankTask TaskOfThisRank(vtkDataObject* surfaces, vtkInformationVector* luminaire
   }
   return { holders == 1 ? own != 0 : first, "" };
 }
+
+} // namespace Illumination

@@ -9,6 +9,9 @@ class vtkInformationVector;
 
 #include <string>
 
+namespace Illumination
+{
+
 /// What this rank is to do in this execution.
 struct RankTask
 {
@@ -26,5 +29,7 @@ struct RankTask
 /// others wait for ever. Without MPI, or with one rank, this rank works.
 /// @param luminaires May be null.
 RankTask TaskOfThisRank(vtkDataObject* surfaces, vtkInformationVector* luminaires);
+
+} // namespace Illumination
 
 #endif

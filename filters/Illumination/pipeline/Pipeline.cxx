@@ -10,6 +10,9 @@
 #include "vtkInformationVector.h"
 #include "vtkSmartPointer.h"
 
+namespace Illumination
+{
+
 bool MakeOutputLikeInput(vtkInformationVector** input, vtkInformationVector* output)
 {
   vtkDataObject* in = vtkDataObject::GetData(input[0]);
@@ -58,3 +61,5 @@ bool ProgressReport::operator()(double fraction, const std::string& text)
   }
   return !AbortRequested(this->Algorithm);
 }
+
+} // namespace Illumination

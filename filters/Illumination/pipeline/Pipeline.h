@@ -11,6 +11,9 @@ class vtkDataObject;
 class vtkInformation;
 class vtkInformationVector;
 
+namespace Illumination
+{
+
 /// Puts a new data object of the input's type on output port 0 unless there is one of that type.
 /// @return Whether there is an input.
 bool MakeOutputLikeInput(vtkInformationVector** input, vtkInformationVector* output);
@@ -38,5 +41,7 @@ private:
   vtkAlgorithm* Algorithm;
   std::chrono::steady_clock::time_point Last = std::chrono::steady_clock::now();
 };
+
+} // namespace Illumination
 
 #endif

@@ -6,6 +6,9 @@
 #include "vtkAlgorithm.h"
 #include "vtkVersionMacros.h"
 
+namespace Illumination
+{
+
 /// Whether the user wants this execution to end.
 inline bool AbortRequested(vtkAlgorithm* algorithm)
 {
@@ -20,5 +23,7 @@ inline bool AbortRequested(vtkAlgorithm* algorithm)
   return algorithm->GetAbortExecute() != 0;
 #endif
 }
+
+} // namespace Illumination
 
 #endif

@@ -10,6 +10,9 @@
 #include <numeric>
 #include <utility>
 
+namespace Illumination
+{
+
 std::vector<vtkIdType> FirstOfCopies(vtkCellArray* cells)
 {
   const auto number = static_cast<std::size_t>(cells->GetNumberOfCells());
@@ -50,3 +53,5 @@ std::vector<vtkIdType> FirstOfCopies(vtkCellArray* cells)
   }
   return first;
 }
+
+} // namespace Illumination

@@ -8,7 +8,12 @@
 
 class vtkCellArray;
 
+namespace Illumination
+{
+
 /// For each cell the first one with the same corners in the same order but for their start.
 std::vector<vtkIdType> FirstOfCopies(vtkCellArray* cells);
+
+} // namespace Illumination
 
 #endif

@@ -8,6 +8,9 @@
 
 #include <sstream>
 
+namespace Illumination
+{
+
 std::vector<PhotonTransport::Colour> ExitanceOf(
   const NamedSurface& block, const std::string& array, const std::vector<vtkIdType>& cells)
 {
@@ -32,3 +35,5 @@ std::vector<PhotonTransport::Colour> ExitanceOf(
   }
   return exitance;
 }
+
+} // namespace Illumination

@@ -16,6 +16,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -106,3 +108,5 @@ vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* triangles, double featureA
   result->GetCellData()->ShallowCopy(triangles->GetCellData());
   return result;
 }
+
+} // namespace Illumination

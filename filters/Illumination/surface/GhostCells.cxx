@@ -9,6 +9,8 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
+namespace Illumination
+{
 namespace
 {
 
@@ -51,3 +53,5 @@ vtkUnsignedCharArray* GhostPointFlags(vtkPolyData* data, const std::string& bloc
 {
   return FlagsIn(data->GetPointData(), data->GetNumberOfPoints(), "point", block);
 }
+
+} // namespace Illumination

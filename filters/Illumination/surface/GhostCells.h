@@ -9,6 +9,9 @@
 class vtkPolyData;
 class vtkUnsignedCharArray;
 
+namespace Illumination
+{
+
 /// Which cells of a block are not part of the scene by the cell array vtkGhostType: duplicates of
 /// another block's cells, cells that finer cells replace, and hidden cells. VTK's own filters and
 /// renderers leave them out, too.
@@ -32,5 +35,7 @@ private:
 /// The point array vtkGhostType; null if there is none. Throws InputError if its size does not fit
 /// the points.
 vtkUnsignedCharArray* GhostPointFlags(vtkPolyData* data, const std::string& block);
+
+} // namespace Illumination
 
 #endif

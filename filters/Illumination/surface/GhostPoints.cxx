@@ -26,6 +26,8 @@
 #include <cmath>
 #include <utility>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -273,3 +275,5 @@ std::vector<GhostPoints> FindGhostPoints(const std::vector<NamedSurface>& blocks
   }
   return found;
 }
+
+} // namespace Illumination

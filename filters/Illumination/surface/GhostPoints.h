@@ -9,6 +9,9 @@
 #include <cstddef>
 #include <vector>
 
+namespace Illumination
+{
+
 /// A point that is a copy of another point, its owner. It gets the owner's value.
 struct GhostPoint
 {
@@ -33,5 +36,7 @@ struct GhostPoints
 /// precision, and faces the same way. The result is empty if no block has an array vtkGhostType.
 /// @param blocks Their cells must be valid.
 std::vector<GhostPoints> FindGhostPoints(const std::vector<NamedSurface>& blocks);
+
+} // namespace Illumination
 
 #endif

@@ -17,6 +17,8 @@
 #include <sstream>
 #include <utility>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -134,3 +136,5 @@ vtkDataArray* CheckedCellArray(
     threeAllowed ? std::vector<int>{ 1, 3 } : std::vector<int>{ 1 };
   return CheckedNumbers(found, where, components, data->GetNumberOfCells(), "cells");
 }
+
+} // namespace Illumination

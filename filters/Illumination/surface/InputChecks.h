@@ -11,6 +11,9 @@ class vtkAbstractArray;
 class vtkDataArray;
 class vtkPolyData;
 
+namespace Illumination
+{
+
 /// Throws InputError unless the offsets of all cells are consistent and all indices of polygons and
 /// strips are those of points. VTK's filters use both without checking them.
 /// @param block How messages name the data: " of block 2", or "".
@@ -34,5 +37,7 @@ vtkDataArray* CheckedNormals(vtkPolyData* data, const std::string& block);
 /// tuple a cell and one component or, where allowed, three.
 vtkDataArray* CheckedCellArray(
   vtkPolyData* data, const std::string& name, const std::string& block, bool threeAllowed = true);
+
+} // namespace Illumination
 
 #endif

@@ -10,6 +10,9 @@
 #include <cstddef>
 #include <vector>
 
+namespace Illumination
+{
+
 /// A vertex of the scene whose values a ghost point gets as well.
 struct BorrowedVertex
 {
@@ -38,5 +41,7 @@ struct SceneBlock : NamedSurface
   std::size_t ownerlessGhosts = 0;      ///< GhostPoints::ownerless.
   vtkIdType firstOwnerlessGhost = -1;
 };
+
+} // namespace Illumination
 
 #endif

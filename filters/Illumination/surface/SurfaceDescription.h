@@ -6,6 +6,9 @@
 
 #include <string>
 
+namespace Illumination
+{
+
 /// What the arrays and properties say about the surface.
 struct SurfaceDescription
 {
@@ -16,5 +19,7 @@ struct SurfaceDescription
   double metresPerUnit = 1.0;
   double featureAngle = 30.0; ///< Degrees.
 };
+
+} // namespace Illumination
 
 #endif

@@ -8,6 +8,9 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+namespace Illumination
+{
+
 SurfaceParts PartsOf(vtkDataObject* data)
 {
   SurfaceParts parts;
@@ -57,3 +60,5 @@ void AppendFacets(vtkPolyData* mesh, std::size_t firstPoint, std::vector<glm::uv
       first + static_cast<unsigned>(ids[1]), first + static_cast<unsigned>(ids[2]));
   }
 }
+
+} // namespace Illumination

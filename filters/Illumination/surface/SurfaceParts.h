@@ -12,6 +12,9 @@
 class vtkDataObject;
 class vtkPolyData;
 
+namespace Illumination
+{
+
 struct NamedSurface
 {
   vtkPolyData* data;
@@ -31,5 +34,7 @@ SurfaceParts PartsOf(vtkDataObject* data);
 void AppendPoints(vtkPolyData* mesh, std::vector<glm::dvec3>& points);
 /// Its triangles. @param firstPoint The number that point 0 of the mesh has.
 void AppendFacets(vtkPolyData* mesh, std::size_t firstPoint, std::vector<glm::uvec3>& facets);
+
+} // namespace Illumination
 
 #endif

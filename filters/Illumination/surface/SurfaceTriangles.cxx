@@ -23,6 +23,8 @@
 #include <algorithm>
 #include <numeric>
 
+namespace Illumination
+{
 namespace
 {
 
@@ -309,3 +311,5 @@ std::vector<vtkIdType> PointsOfTriangles(vtkPolyData* triangles)
 {
   return Values(IdsIn(triangles->GetPointData(), PointIds));
 }
+
+} // namespace Illumination

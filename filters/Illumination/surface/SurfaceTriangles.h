@@ -14,6 +14,9 @@
 class vtkDataArray;
 class vtkPolyData;
 
+namespace Illumination
+{
+
 /// Cells, or triangles of cells, that are not part of the scene.
 struct LeftOut
 {
@@ -52,5 +55,7 @@ bool HasSurface(vtkPolyData* data);
 /// still hold after filters that split points.
 std::vector<vtkIdType> CellsOfTriangles(vtkPolyData* triangles);
 std::vector<vtkIdType> PointsOfTriangles(vtkPolyData* triangles);
+
+} // namespace Illumination
 
 #endif
