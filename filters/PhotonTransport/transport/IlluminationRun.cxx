@@ -200,7 +200,9 @@ void IlluminationRun::AddRow(const StopRules& rules)
   Accuracy row;
   {
     const Stopwatch stopwatch(this->SecondsTraced);
-    MeasureErrors(row, this->Front(), this->LitScene.VertexAreas());
+    const bool onlyBacks = !this->Sums.AnyLight(&IlluminationSums::front) &&
+      this->Sums.AnyLight(&IlluminationSums::back);
+    MeasureErrors(row, onlyBacks ? this->Back() : this->Front(), this->LitScene.VertexAreas());
   }
   const PhotonBalance balance = this->Balance();
   row.photons = balance.emitted;

@@ -19,8 +19,10 @@ struct StopRules
 {
   /// Photons to stop at, [1, 1e10], rounded up: each replicate gets whole blocks of 256.
   std::uint64_t photons = 1'000'000;
-  double relativeError = 0.0; ///< See Accuracy::relativeError; 0 is no target.
-  double seconds = 0.0;       ///< Of tracing; 0 is no limit.
+  /// See Accuracy::relativeError: of the front, or of the back where only that is lit. 0 is no
+  /// target.
+  double relativeError = 0.0;
+  double seconds = 0.0; ///< Of tracing; 0 is no limit.
 };
 
 /// A run towards a relative error ends when it has traced so many photons and none of them has
