@@ -111,7 +111,10 @@ FacetPlane PlaneOf(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
   const auto off = [&](const glm::vec3& p)
   { return static_cast<float>(rounding.Along(glm::dvec3(normal), glm::dvec3(p))); };
   const float most = rounding.relative > 0.0 ? std::max({ off(a), off(b), off(c) }) : 0.0f;
-  const float lean = (0x1p-22f + 4.0f * most) * std::sqrt(longest) / twiceArea;
+  // A facet without an area in single precision may lean any way. The nearest point of its plane is
+  // then still no farther from the origin than its corner, so 2 is enough. It is also what std::min
+  // makes of 0 / 0, which is no number.
+  const float lean = std::min(2.0f, (0x1p-22f + 4.0f * most) * std::sqrt(longest) / twiceArea);
   return { a, normal, 2.0f * SheetGap + 2.0f * most + glm::length(a) * lean, most };
 }
 
