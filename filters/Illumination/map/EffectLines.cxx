@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Illumination/map/EffectLines.h"
 
-#include <sstream>
+#include "Illumination/pipeline/Text.h"
 
 namespace Illumination
 {
@@ -25,14 +25,6 @@ constexpr Words WordsOf[Scatterings] = { { "interreflection", "diffuse reflectan
   { "clear transmission", "clear transmittance as a pane" },
   { "refraction", "clear transmittance as the surface of a solid body" } };
 
-template <typename... Parts>
-std::string Line(const Parts&... parts)
-{
-  std::ostringstream line;
-  (line << ... << parts);
-  return line.str();
-}
-
 std::string CompensationLine(const Effects& effects)
 {
   const EffectCounts& counts = effects.counts;
@@ -42,7 +34,7 @@ std::string CompensationLine(const Effects& effects)
   }
   return counts.tiltedVertices == 0
     ? "compensation: off, all points have the normal of all facets around them"
-    : Line("compensation: on, ", counts.tiltedVertices, " of ", counts.vertices,
+    : Text("compensation: on, ", counts.tiltedVertices, " of ", counts.vertices,
         " points have a normal that differs from a facet's around them");
 }
 
@@ -52,17 +44,17 @@ std::string ScatteringLine(const Effects& effects, unsigned scattering, double s
   const std::size_t facets = effects.counts.scatteringFacets[scattering];
   if (facets == 0)
   {
-    return Line(words.effect, ": off, no triangle has ", words.property);
+    return Text(words.effect, ": off, no triangle has ", words.property);
   }
   const std::string share =
-    Line(facets, " of ", effects.counts.facets, " triangles have ", words.property);
+    Text(facets, " of ", effects.counts.facets, " triangles have ", words.property);
   if (((effects.simulated >> scattering) & 1u) != 0)
   {
-    return Line(words.effect, ": on, ", share);
+    return Text(words.effect, ": on, ", share);
   }
-  return Line(words.effect, ": off, switched off though ", share,
+  return Text(words.effect, ": off, switched off though ", share,
     "; the photons it would have carried on are counted as cut off",
-    switchedOff > 0.0 ? Line(", ", switchedOff, " lm") : "");
+    switchedOff > 0.0 ? Text(", ", switchedOff, " lm") : "");
 }
 
 std::string ColourLine(const Effects& effects)
@@ -73,15 +65,15 @@ std::string ColourLine(const Effects& effects)
   {
     return "colour: off, no triangle and no lamp treats red, green and blue unequally";
   }
-  return Line("colour: ", effects.colour ? "on, " : "off, switched off though ", facets, " of ",
+  return Text("colour: ", effects.colour ? "on, " : "off, switched off though ", facets, " of ",
     effects.counts.facets, " triangles and ", lamps,
     lamps == 1 ? " lamp have a colour" : " lamps have a colour");
 }
 
 std::string LampLine(const char* effect, std::size_t count, std::size_t lamps, const char* what)
 {
-  return count > 0 ? Line(effect, ": on, ", count, " of ", lamps, " lamps")
-                   : Line(effect, ": off, none of ", lamps, " lamps ", what);
+  return count > 0 ? Text(effect, ": on, ", count, " of ", lamps, " lamps")
+                   : Text(effect, ": off, none of ", lamps, " lamps ", what);
 }
 
 } // namespace

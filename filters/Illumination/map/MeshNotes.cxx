@@ -2,6 +2,7 @@
 #include "Illumination/map/MeshNotes.h"
 
 #include "Illumination/map/SceneBlocks.h"
+#include "Illumination/pipeline/Text.h"
 
 #include "PhotonTransport/geometry/SharpEdges.h"
 #include "PhotonTransport/geometry/TriangleArea.h"
@@ -13,7 +14,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <sstream>
 
 namespace Illumination
 {
@@ -22,22 +22,13 @@ namespace
 
 using PhotonTransport::Surface;
 
-/// A line of text from its parts.
-template <typename... Parts>
-std::string Line(const Parts&... parts)
-{
-  std::ostringstream text;
-  (text << ... << parts);
-  return text.str();
-}
-
 void AddNotesOnCells(std::vector<std::string>& notes, const SceneBlock& block)
 {
   const auto add = [&](const LeftOut& leftOut, const char* what, const char* why)
   {
     if (leftOut.number > 0)
     {
-      notes.push_back(Line(
+      notes.push_back(Text(
         leftOut.number, what, ", the first being cell ", leftOut.first, block.name, ", ", why));
     }
   };
@@ -51,7 +42,7 @@ void AddNotesOnCells(std::vector<std::string>& notes, const SceneBlock& block)
   add(block.withoutArea, " triangles or polygons", "have no area and were left out");
   if (block.ownerlessGhosts > 0)
   {
-    notes.push_back(Line(block.ownerlessGhosts, " points, the first being point ",
+    notes.push_back(Text(block.ownerlessGhosts, " points, the first being point ",
       block.firstOwnerlessGhost, block.name,
       ", belong to duplicate cells only (vtkGhostType) and their owners are not in the input: they "
       "were left out, at 0 lx"));
@@ -71,11 +62,11 @@ void AddNoteOnPlaneNormals(std::vector<std::string>& notes, const SceneBlocks& b
   std::string who;
   if (facets.number > 0)
   {
-    who = Line(facets.number, " triangles, the first in ", blocks.NameOfFacet(facets.first));
+    who = Text(facets.number, " triangles, the first in ", blocks.NameOfFacet(facets.first));
   }
   if (points.number > 0)
   {
-    who += Line(who.empty() ? "" : ", and ", points.number, " points, the first being ",
+    who += Text(who.empty() ? "" : ", and ", points.number, " points, the first being ",
       blocks.NameOfVertex(points.first));
   }
   notes.push_back(who +
@@ -135,13 +126,13 @@ void AddNoteOnSharedPoints(std::vector<std::string>& notes, const SceneBlocks& b
     const auto found = std::find(shared.begin(), shared.end(), std::uint8_t{ 1 });
     if (number == 0 && found != shared.end())
     {
-      first = Line("point ", found - shared.begin(), block.name);
+      first = Text("point ", found - shared.begin(), block.name);
     }
     number += static_cast<std::size_t>(std::count(found, shared.end(), std::uint8_t{ 1 }));
   }
   if (number > 0)
   {
-    notes.push_back(Line(number, " points, the first being ", first,
+    notes.push_back(Text(number, " points, the first being ", first,
       ", are shared by facets that meet at more than 75 degrees: their values mix the light of all "
       "these sides; split them by Generate Surface Normals, with Splitting on, before the map is "
       "computed"));
@@ -162,7 +153,7 @@ std::vector<std::string> NotesOnMesh(
   {
     if (number > 0)
     {
-      notes.push_back(Line(number, " ", what));
+      notes.push_back(Text(number, " ", what));
     }
   };
   count(found.replacedNormals,

@@ -5,13 +5,13 @@
 #include "Illumination/map/LightLosses.h"
 #include "Illumination/map/SceneBlocks.h"
 #include "Illumination/pipeline/FieldArrays.h"
+#include "Illumination/pipeline/Text.h"
 
 #include "vtkFieldData.h"
 
 #include <algorithm>
 #include <numeric>
 #include <optional>
-#include <sstream>
 
 namespace Illumination
 {
@@ -27,16 +27,7 @@ constexpr double EscapedWorthANote = 0.1;
 constexpr double LostWorthANote = 0.01;
 constexpr double MostScatteredOnBacks = 0.1;
 
-template <typename... Parts>
-std::string Text(const Parts&... parts)
-{
-  std::ostringstream text;
-
-  (text << ... << parts);
-  return text.str();
-}
-
-std::string Text(const glm::dvec3& point)
+std::string PointText(const glm::dvec3& point)
 {
   return Text("(", point.x, ", ", point.y, ", ", point.z, ")");
 }
@@ -65,10 +56,11 @@ std::string Places(const Lost& lost, const TracedScene& traced)
 {
   const Box box = BoxOf(traced.blocks.Surface());
   const std::optional<glm::dvec3> place = PlaceOf(traced.lighting.luminaires[lost.worst].lamp);
-  std::string text = "The surface extends from " + Text(box.least) + " to " + Text(box.most);
+  std::string text =
+    "The surface extends from " + PointText(box.least) + " to " + PointText(box.most);
   if (place)
   {
-    text += ", and the lamp is at " + Text(*place);
+    text += ", and the lamp is at " + PointText(*place);
   }
   text += Text(", all in the data's length unit, of which one is ", traced.metresPerUnit, " m.");
   return text + (place ? HintOnUnits(*place, box) : "");

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/materials/MaterialProperties.h"
 
+#include "PhotonTransport/materials/ValueText.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <sstream>
 
 namespace PhotonTransport
 {
@@ -12,15 +12,6 @@ namespace
 {
 
 constexpr std::size_t Channels = 3;
-
-template <typename... Parts>
-std::string Text(const Parts&... parts)
-{
-  std::ostringstream text;
-  text.precision(std::numeric_limits<float>::max_digits10);
-  (text << ... << parts);
-  return text.str();
-}
 
 bool IsFlag(const MaterialProperty& property)
 {
@@ -63,13 +54,41 @@ bool AreGrey(const MaterialValues& values)
   return grey;
 }
 
+// One property to and from its place in MaterialValues.
+
+void Put(float* place, const Colour& share)
+{
+  std::copy(&share.x, &share.x + Channels, place);
+}
+void Put(float* place, float number)
+{
+  *place = number;
+}
+void Put(float* place, bool flag)
+{
+  *place = flag ? 1.0f : 0.0f;
+}
+
+void Take(const float* place, Colour& share)
+{
+  share = { place[0], place[1], place[2] };
+}
+void Take(const float* place, float& number)
+{
+  number = *place;
+}
+void Take(const float* place, bool& flag)
+{
+  flag = *place != 0.0f;
+}
+
 } // namespace
 
 std::string RangeOf(const MaterialProperty& property)
 {
-  return IsFlag(property)
-    ? Text(property.least, " or ", property.largest)
-    : Text("within ", property.aboveLeast ? "(" : "[", property.least, ", ", property.largest, "]");
+  return IsFlag(property) ? ValueText(property.least, " or ", property.largest)
+                          : ValueText("within ", property.aboveLeast ? "(" : "[", property.least,
+                              ", ", property.largest, "]");
 }
 
 MaterialValues ValuesOf(const Material& material)
@@ -77,20 +96,8 @@ MaterialValues ValuesOf(const Material& material)
   MaterialValues values{};
   for (std::size_t p = 0; p < MaterialProperties.size(); ++p)
   {
-    float* value = &values[Channels * p];
-    if (const auto* colour = std::get_if<Colour Material::*>(&MaterialProperties[p].member))
-    {
-      const Colour& share = material.**colour;
-      std::copy(&share.x, &share.x + Channels, value);
-    }
-    else if (const auto* number = std::get_if<float Material::*>(&MaterialProperties[p].member))
-    {
-      *value = material.**number;
-    }
-    else
-    {
-      *value = material.*std::get<bool Material::*>(MaterialProperties[p].member) ? 1.0f : 0.0f;
-    }
+    std::visit([&](auto member) { Put(&values[Channels * p], material.*member); },
+      MaterialProperties[p].member);
   }
   return values;
 }
@@ -100,19 +107,8 @@ Material MaterialOf(const MaterialValues& values)
   Material material;
   for (std::size_t p = 0; p < MaterialProperties.size(); ++p)
   {
-    const float* value = &values[Channels * p];
-    if (const auto* colour = std::get_if<Colour Material::*>(&MaterialProperties[p].member))
-    {
-      material.** colour = { value[0], value[1], value[2] };
-    }
-    else if (const auto* number = std::get_if<float Material::*>(&MaterialProperties[p].member))
-    {
-      material.** number = *value;
-    }
-    else
-    {
-      material.*std::get<bool Material::*>(MaterialProperties[p].member) = *value != 0.0f;
-    }
+    std::visit([&](auto member) { Take(&values[Channels * p], material.*member); },
+      MaterialProperties[p].member);
   }
   return material;
 }
@@ -129,8 +125,8 @@ std::string ProblemOf(const MaterialValues& values)
       const float value = values[Channels * p + c];
       if (!IsWithin(property, value))
       {
-        return Text(property.name, IsShare(property) ? NameOfChannel(c, grey) : "", " is ", value,
-          "; it must be ", RangeOf(property));
+        return ValueText(property.name, IsShare(property) ? NameOfChannel(c, grey) : "", " is ",
+          value, "; it must be ", RangeOf(property));
       }
       sums[c] += IsShare(property) ? double{ value } : 0.0;
     }
@@ -139,7 +135,7 @@ std::string ProblemOf(const MaterialValues& values)
   const auto sum = std::max_element(sums.begin(), sums.end());
   return *sum <= 1.0 + Rounding
     ? ""
-    : Text("the reflectances and transmittances",
+    : ValueText("the reflectances and transmittances",
         NameOfChannel(static_cast<std::size_t>(sum - sums.begin()), grey), " sum to ", *sum,
         "; they must not exceed 1 together");
 }

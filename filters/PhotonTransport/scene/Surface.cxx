@@ -2,11 +2,11 @@
 #include "PhotonTransport/scene/Surface.h"
 
 #include "PhotonTransport/materials/MaterialProperties.h"
+#include "PhotonTransport/materials/ValueText.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace PhotonTransport
 {
@@ -16,18 +16,9 @@ namespace
 using Where = InvalidInput::Where;
 
 template <typename... Parts>
-std::string Text(const Parts&... parts)
-{
-  std::ostringstream text;
-  text.precision(std::numeric_limits<float>::max_digits10);
-  (text << ... << parts);
-  return text.str();
-}
-
-template <typename... Parts>
 [[noreturn]] void Refuse(Where where, std::size_t index, const Parts&... parts)
 {
-  throw InvalidInput(where, index, Text(parts...));
+  throw InvalidInput(where, index, ValueText(parts...));
 }
 
 void ValidateSizes(const Surface& surface)
