@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PhotonTransport/refinement/Subdivision.h"
+#include "PhotonTransport/refinement/FacetParts.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

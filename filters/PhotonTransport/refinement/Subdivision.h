@@ -4,42 +4,85 @@
 #include <glm/vec3.hpp>
 
 #include <array>
-#include <cstdint>
-#include <functional>
-#include <vector>
+#include <cstddef>
 
 namespace PhotonTransport
 {
 
-/// A part of a facet.
-struct FacetPart
-{
-  std::uint32_t facet;
-  /// In the facet's barycentric coordinates, multiples of a power of two and therefore exact.
-  std::array<glm::vec3, 3> corners;
-  std::array<glm::vec3, 3> positions; ///< Of the corners, each rounded once.
+/// A triangle within a facet: the facet's barycentric coordinates of its corners. They are
+/// multiples of a power of two, so halving is exact.
+using FacetTriangle = std::array<glm::vec3, 3>;
 
-  /// The facet's barycentric coordinates of a point that is given in those of the part.
-  glm::vec3 InFacet(const glm::vec3& inPart) const
+constexpr FacetTriangle WholeFacet{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
+
+/// The triangles, two to four, that a triangle falls into when its marked edges are halved.
+struct Children
+{
+  std::array<FacetTriangle, 4> triangles;
+  int number = 0;
+
+  void Add(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
   {
-    return inPart.x * this->corners[0] + inPart.y * this->corners[1] + inPart.z * this->corners[2];
+    this->triangles[static_cast<std::size_t>(this->number++)] = { a, b, c };
   }
 };
 
-/// The point that has these barycentric coordinates. The products are exact, and on an edge only
-/// two of them are not zero. So both facets of an edge get the same bits for a point of it,
-/// whatever the order of their corners.
-glm::vec3 PositionOf(const glm::vec3& barycentric, const std::array<glm::vec3, 3>& corners);
+/// @param halved Edge i is opposite to corner i. At least one is.
+inline Children Halve(const FacetTriangle& triangle, const std::array<bool, 3>& halved)
+{
+  const int number = halved[0] + halved[1] + halved[2];
+  // Turned so that edge 0 is halved where one is, and is the one that is not where two are.
+  std::size_t first = 0;
+  while (halved[first] != (number != 2))
+  {
+    ++first;
+  }
+  const glm::vec3 &a = triangle[first], &b = triangle[(first + 1) % 3],
+                  &c = triangle[(first + 2) % 3];
+  const glm::vec3 ab = 0.5f * (a + b), bc = 0.5f * (b + c), ca = 0.5f * (c + a);
+  Children children;
+  if (number == 1)
+  {
+    children.Add(a, b, bc);
+    children.Add(a, bc, c);
+    return children;
+  }
+  children.Add(a, ab, ca);
+  if (number == 2)
+  {
+    children.Add(ab, b, c);
+    children.Add(ab, c, ca);
+    return children;
+  }
+  children.Add(ab, b, bc);
+  children.Add(ca, bc, c);
+  children.Add(ab, bc, ca);
+  return children;
+}
 
-/// Whether the edge between two points is to be halved.
-using HalvesEdge = std::function<bool(const glm::vec3&, const glm::vec3&)>;
-
-/// Divides a facet by halving its edges, then the edges of its parts, and so on. Whether an edge is
-/// halved depends on its two end points alone. So the parts of two facets that share an edge meet
-/// without a gap, and no part has a vertex inside an edge of another. Adds no part if no edge of
-/// the facet is halved.
-/// @param halves Asked again for the parts of an edge, 20 times at most.
-void AppendParts(std::uint32_t facet, const std::array<glm::vec3, 3>& corners,
-  const HalvesEdge& halves, std::vector<FacetPart>& parts);
+/// Divides a triangle by halving its edges, then the edges of its parts, and so on (red-green
+/// refinement). Whether an edge is halved depends on the edge alone, so parts that share an edge
+/// meet without a gap, and no part has a vertex inside an edge of another.
+/// @param halves Called as halves(p, q) with the ends of an edge; halves(q, p) must be the same.
+/// @param keep Called with each FacetTriangle that is not divided.
+template <class HalvesEdge, class Keep>
+void Subdivide(const FacetTriangle& triangle, const HalvesEdge& halves, const Keep& keep)
+{
+  std::array<bool, 3> halved{};
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    halved[i] = halves(triangle[(i + 1) % 3], triangle[(i + 2) % 3]);
+  }
+  if (!halved[0] && !halved[1] && !halved[2])
+  {
+    keep(triangle);
+    return;
+  }
+  const Children children = Halve(triangle, halved);
+  for (int i = 0; i < children.number; ++i)
+  {
+    Subdivide(children.triangles[static_cast<std::size_t>(i)], halves, keep);
+  }
+}
 
 } // namespace PhotonTransport

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PhotonTransport/refinement/Subdivision.h"
+#include "PhotonTransport/refinement/FacetParts.h"
 
 #include <glm/vec3.hpp>
 

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PhotonTransport/refinement/CurvedPatch.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace PhotonTransport
+{
+namespace
+{
+
+/// The edge of the facet on which all the points lie.
+template <class... Points>
+std::optional<std::size_t> FacetEdgeOf(const Points&... points)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    if (((points[i] == 0.0f) && ...))
+    {
+      return static_cast<std::size_t>(i);
+    }
+  }
+  return std::nullopt;
+}
+
+/// As a share of the facet's height of its longest edge.
+constexpr double LeastSlimness = 1e-9;
+
+} // namespace
+
+CurvedPatch::CurvedPatch(const TriangleMesh& mesh, const MeshEdges& edges, const EdgeCurves& curves,
+  double longestEdge, std::size_t facet)
+  : LongestEdge(longestEdge)
+{
+  const glm::uvec3& ids = mesh.facets[facet];
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const PointPair& pair = edges.Pairs()[edges.PairOf(facet, i)];
+    const std::size_t next = (i + 1) % 3;
+    this->Corners[i] = mesh.points[ids[static_cast<int>(i)]];
+    this->Offsets[i] = curves[pair.edge].offset;
+    this->Halvings[i] = curves[pair.edge].halvings;
+    this->MostSagitta[i] = curves[pair.edge].mostSagitta;
+    this->From[i] = pair.from == ids[static_cast<int>(next)] ? next : 3 - i - next;
+  }
+}
+
+glm::dvec3 CurvedPatch::At(const glm::vec3& barycentric) const
+{
+  const glm::dvec3 b(barycentric);
+  if (const std::optional<std::size_t> edge = FacetEdgeOf(barycentric))
+  {
+    // All facets of an edge go along it the same way.
+    const std::size_t from = this->From[*edge], to = 3 - *edge - from;
+    return PointOnCurve(
+      this->Corners[from], this->Corners[to], this->Offsets[*edge], b[static_cast<int>(to)]);
+  }
+  return b.x * this->Corners[0] + b.y * this->Corners[1] + b.z * this->Corners[2] +
+    4.0 *
+    (b.y * b.z * this->Offsets[0] + b.z * b.x * this->Offsets[1] + b.x * b.y * this->Offsets[2]);
+}
+
+bool CurvedPatch::Halves(const glm::vec3& p, const glm::vec3& q) const
+{
+  const glm::vec3 way = q - p;
+  const float extent = std::max({ std::fabs(way.x), std::fabs(way.y), std::fabs(way.z) });
+  if (const std::optional<std::size_t> edge = FacetEdgeOf(p, q))
+  {
+    return extent > std::ldexp(1.0f, -this->Halvings[*edge]);
+  }
+  if (!(extent > std::ldexp(1.0f, -EdgeCurves::MostHalvings)))
+  {
+    return false;
+  }
+  // From the middle of the edge to the patch there: second differences of a quadratic form.
+  const glm::dvec3 d(way);
+  const glm::dvec3 offset =
+    -(d.y * d.z * this->Offsets[0] + d.z * d.x * this->Offsets[1] + d.x * d.y * this->Offsets[2]);
+  return glm::length(this->At(q) - this->At(p)) > this->LongestEdge ||
+    glm::length(offset) > this->MostSagittaAlong(way);
+}
+
+/// That of the facet's edge whose direction is the nearest; if it is straight, the least of all.
+double CurvedPatch::MostSagittaAlong(const glm::vec3& way) const
+{
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+  {
+    if (std::fabs(way[static_cast<int>(i)]) < std::fabs(way[static_cast<int>(nearest)]))
+    {
+      nearest = i;
+    }
+  }
+  return this->Offsets[nearest] == glm::dvec3(0.0)
+    ? *std::min_element(this->MostSagitta.begin(), this->MostSagitta.end())
+    : this->MostSagitta[nearest];
+}
+
+bool CurvedPatch::Turns() const
+{
+  const glm::dvec3 zero(0.0);
+  if (this->Offsets[0] == zero && this->Offsets[1] == zero && this->Offsets[2] == zero)
+  {
+    return false;
+  }
+  const glm::dvec3 ab = this->Corners[1] - this->Corners[0];
+  const glm::dvec3 ac = this->Corners[2] - this->Corners[0];
+  const glm::dvec3 area = glm::cross(ab, ac);
+  const double longest = std::max({ glm::length(ab), glm::length(ac), glm::length(ac - ab) });
+  bool turns = !(glm::length(area) > LeastSlimness * longest * longest);
+  const auto look = [&](const FacetTriangle& part)
+  {
+    const glm::dvec3 a = this->At(part[0]);
+    turns =
+      turns || !(glm::dot(glm::cross(this->At(part[1]) - a, this->At(part[2]) - a), area) > 0.0);
+  };
+  this->Subdivide(look);
+  return turns;
+}
+
+} // namespace PhotonTransport

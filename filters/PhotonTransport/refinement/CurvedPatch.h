@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PhotonTransport/refinement/EdgeCurves.h"
+#include "PhotonTransport/refinement/Subdivision.h"
+
+#include <array>
+
+namespace PhotonTransport
+{
+
+/// The quadratic Bezier triangle over a facet: x = u p0 + v p1 + w p2 + 4 (v w o0 + w u o1 + u v
+/// o2) with the barycentric coordinates u, v, w and the offsets o of the edges' curves.
+class CurvedPatch
+{
+public:
+  /// @param longestEdge See RefinementLimits::length.
+  CurvedPatch(const TriangleMesh& mesh, const MeshEdges& edges, const EdgeCurves& curves,
+    double longestEdge, std::size_t facet);
+
+  bool IsWhole() const
+  {
+    return this->Halvings[0] == 0 && this->Halvings[1] == 0 && this->Halvings[2] == 0;
+  }
+
+  /// The same bits for both facets of an edge.
+  glm::dvec3 At(const glm::vec3& barycentric) const;
+
+  /// Whether the edge between two points of the patch is to be halved. On an edge of the facet this
+  /// is a matter of the edge alone.
+  bool Halves(const glm::vec3& p, const glm::vec3& q) const;
+
+  /// Calls keep(FacetTriangle) for each part of the facet.
+  template <class Keep>
+  void Subdivide(const Keep& keep) const
+  {
+    if (this->IsWhole())
+    {
+      keep(WholeFacet);
+      return;
+    }
+    PhotonTransport::Subdivide(
+      WholeFacet, [this](const glm::vec3& p, const glm::vec3& q) { return this->Halves(p, q); },
+      keep);
+  }
+
+  /// Whether the patch is curved, and a part of it faces away from the facet. A facet that is too
+  /// narrow to face any way counts as one.
+  bool Turns() const;
+
+private:
+  double MostSagittaAlong(const glm::vec3& way) const;
+
+  double LongestEdge;
+  std::array<glm::dvec3, 3> Corners;
+  std::array<glm::dvec3, 3> Offsets; ///< Edge i is opposite to corner i.
+  std::array<int, 3> Halvings;
+  std::array<double, 3> MostSagitta; ///< In the direction of each edge.
+  std::array<std::size_t, 3> From;   ///< The corner where edge i begins.
+};
+
+} // namespace PhotonTransport
