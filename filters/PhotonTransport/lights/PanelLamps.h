@@ -9,7 +9,7 @@ namespace PhotonTransport
 {
 
 /// Lambertian photons from a flat lamp.
-struct PanelEmitter
+struct PanelEmitter : LuminaireColoured
 {
   glm::dvec3 centre;
   Frame frame;

@@ -204,11 +204,11 @@ Prepared<TableEmitter> PhotometricLamp::Prepare(const Scene& scene) const
   switch (this->solid.type)
   {
     case PhotometricSolid::Type::A:
-      return { { place, axes.aim, axes.x, axes.y, table }, flux };
+      return { { {}, place, axes.aim, axes.x, axes.y, table }, flux };
     case PhotometricSolid::Type::B:
-      return { { place, axes.aim, axes.y, axes.x, table }, flux };
+      return { { {}, place, axes.aim, axes.y, axes.x, table }, flux };
     default:
-      return { { place, axes.x, axes.y, axes.aim, table }, flux };
+      return { { {}, place, axes.x, axes.y, axes.aim, table }, flux };
   }
 }
 

@@ -37,8 +37,8 @@ struct alignas(64) Vertex
   glm::vec3 normal; ///< Unit, as given, or the ring's where none of use was given.
   /// Mean area vector over area, (1/3 sum a_f) / (1/3 sum |a_f|), over the ring.
   glm::vec3 shownArea;
-  /// Sine of the largest angle between the normal and the ring's facet normals; 2 where that is
-  /// 90 degrees or more, and below 0 for a ring as flat as its normal, which needs no compensation.
+  /// -1: flat, no compensation. 2: some facet tilts 90 degrees or more. Else the sine of the
+  /// largest tilt, which is the angle between the normal and the normal of a facet of the ring.
   /// Light with -w.n >= sinTilt meets every facet of the ring from the front.
   float sinTilt;
   float inverseThreeAreas; ///< 1 / sum |a_f|; 0 for a vertex without a facet.

@@ -97,22 +97,22 @@ void Scene::MarkSharedPlace(const FacetOverlap& overlap)
   const auto apart = static_cast<float>(Reserve * overlap.Apart());
   this->Apart[first] = std::max(this->Apart[first], apart);
   this->Apart[second] = std::max(this->Apart[second], apart);
-  const bool bothShine = !this->FacetExitance.empty() && this->FacetExitance[first] > 0.0f &&
-    this->FacetExitance[second] > 0.0f;
+  const auto exitance = [&](std::uint32_t facet)
+  { return this->FacetExitance.empty() ? 0.0f : Luminous(this->FacetExitance[facet]); };
   if (overlap.copies)
   {
     mark(notes.copies, SharesPlace,
       IsCopy | CornersOf(this->FacetRecords[second].vertices, this->FacetRecords[first].vertices));
     if (!this->FacetExitance.empty()) // they shine once, as the brighter one
     {
-      const bool secondIsBrighter = this->FacetExitance[second] > this->FacetExitance[first];
-      this->FacetExitance[secondIsBrighter ? first : second] = 0.0f;
+      const bool secondIsBrighter = exitance(second) > exitance(first);
+      this->FacetExitance[secondIsBrighter ? first : second] = Colour(0.0f);
     }
   }
   else
   {
     mark(notes.inPart, SharesPlace | OverlapsInPart, 0);
-    if (bothShine)
+    if (exitance(first) > 0.0f && exitance(second) > 0.0f)
     {
       mark(notes.shineToo, ShinesToo, 0);
     }
