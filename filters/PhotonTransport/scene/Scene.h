@@ -137,6 +137,9 @@ private:
   }
   std::uint32_t InSurface(std::uint32_t facet) const; ///< Its index in the surface given.
   bool FindFront(const Ray& ray, Hit& hit) const;
+  struct PlaceOfHit;
+  PlaceOfHit PlaceOf(const Hit& hit) const;
+  std::optional<glm::vec3> WithinShared(std::uint32_t facet, const PlaceOfHit& place) const;
   glm::vec3 SafeOriginOnPart(const Hit& hit, bool front) const;
   glm::vec3 SafeOriginAt(const glm::vec3& point, const Hit& hit, bool front) const;
   void BuildBvh(std::vector<glm::vec3> positions);
