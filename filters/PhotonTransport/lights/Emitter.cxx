@@ -77,7 +77,7 @@ Emitter::Emitter(const Lighting& lighting, const Scene& scene, bool colour)
   }
   if (fluxes.size() > 1)
   {
-    // All dark: photons of no flux, from the first lamp.
+    // If all lamps are dark, the first one emits photons without flux.
     fluxes.front() = this->TotalFlux > 0.0 ? fluxes.front() : 1.0;
     this->Table = FluxTable(fluxes);
   }

@@ -161,8 +161,8 @@ Ray SkyEmitter::Emit(const PhotonSample& sample, const Share&) const
 
 Ray TableSkyEmitter::Emit(const PhotonSample& sample, const Share&) const
 {
-  // One number chooses the side of the sun and the azimuth there; next to each other in the number
-  // is next to each other in the sky, across the sun's meridian too.
+  // One number chooses the side of the sun and the azimuth on that side. Numbers that are close
+  // give places that are close in the sky, also across the sun's meridian.
   const double turn = 2.0 * sample.Emission(3) - 1.0;
   const glm::dvec2 angles =
     this->table->Sample(sample.Emission(2), std::min(std::fabs(turn), 1.0 - 0x1p-53));

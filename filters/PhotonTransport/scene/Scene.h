@@ -54,7 +54,7 @@ public:
       this->FindFront(ray, hit);
   }
 
-  /// Whether other facets may lie in the place of a hit that face the same way as its facet.
+  /// Whether other facets that face the same way may lie in the place of a hit.
   bool MaySharePlace(const Hit& hit) const
   {
     return !this->Shared.empty() && this->Shared[hit.facet] != 0;
@@ -62,8 +62,8 @@ public:
   /// Finds the facets in the place of a hit, its own among them; moves the hit to the last of them.
   void FindSharers(Hit& hit, std::vector<Sharer>& sharers) const;
 
-  /// Coordinates are floats: what they can tell apart grows with their size. This is the size that
-  /// counts at a point, its largest coordinate; next to the origin it stays at a least value.
+  /// The size of the coordinates at a point, with which their rounding grows: the largest
+  /// coordinate, or a least value next to the origin.
   template <typename Number>
   Number Reach(const glm::vec<3, Number>& point) const
   {

@@ -33,8 +33,8 @@ unsigned CornersOf(const glm::uvec3& facet, const glm::uvec3& other)
   return corners;
 }
 
-/// Whether the triangle holds a point, both seen along an axis. Triangles that are joined at an
-/// edge share it out: a point is in one of them, never in both and never in none.
+/// Barycentric coordinates of a point in a triangle, both seen along an axis; nothing for a point
+/// outside. A point on the edge at which two triangles are joined is in exactly one of them.
 std::optional<glm::vec3> Inside(const glm::dvec3& point, const glm::dvec3 (&corners)[3], int axis)
 {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -274,7 +274,7 @@ void Scene::FindSharers(Hit& hit, std::vector<Sharer>& sharers) const
     sharers.end());
   if (sharers.size() < 2)
   {
-    // The facet shares its place elsewhere, or rounding has put the point beside the others.
+    // The facet shares another part of its place, or rounding has put the point beside the others.
     sharers.assign(1, { hit.facet, hit.barycentric, AllCorners });
   }
   else if (sharers.back().facet != hit.facet)

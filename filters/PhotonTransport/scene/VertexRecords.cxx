@@ -12,7 +12,7 @@ namespace PhotonTransport
 namespace
 {
 
-/// Below this sine of the angle to its facets a vertex normal counts as theirs.
+/// A vertex normal counts as that of its facets if the sine of its angle to them is below this.
 constexpr float NoTilt = 1e-4f;
 
 } // namespace
