@@ -38,7 +38,7 @@ def test_defaults_of_proxy_and_class_agree():
 def test_choices_are_those_of_the_class():
     types = list(Luminaire().GetProperty("Type").Available)
     names = [text.upper().replace(" ", "_") for text in types]
-    assert [getattr(vtkLuminaireSource, name) for name in names] == list(range(11)), types
+    assert [getattr(vtkLuminaireSource, name) for name in names] == list(range(vtkLuminaireSource.NUMBER_OF_TYPES)), types
     skies = list(Luminaire().GetProperty("SkyType").Available)
     assert [int(text.split()[0]) for text in skies] == list(range(1, 17)), skies
 
@@ -58,7 +58,7 @@ def test_choices_are_set_by_number_too():
     proxy = Luminaire(Type=9, SkyType=12)
     proxy.UpdateVTKObjects()
     assert proxy.Type == "CIE Sky" and proxy.GetClientSideObject().GetSkyType() == 12
-    for name, choices in (("Type", range(11)), ("SkyType", range(1, 17))):
+    for name, choices in (("Type", range(vtkLuminaireSource.NUMBER_OF_TYPES)), ("SkyType", range(1, 17))):
         for number in choices:
             setattr(proxy, name, number)
             proxy.UpdateVTKObjects()
