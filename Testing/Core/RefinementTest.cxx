@@ -56,7 +56,7 @@ std::vector<std::array<glm::vec3, 3>> Fan(const glm::vec3& centre, unsigned seed
 
 FacetPart Whole(std::uint32_t facet, const std::array<glm::vec3, 3>& corners)
 {
-  return { facet, { glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1) }, corners };
+  return { { facet, WholeFacet }, corners };
 }
 
 } // namespace

@@ -16,9 +16,9 @@ bool ShinesInColour(const Luminaire& luminaire)
 EffectCounts CountsOf(const Scene& scene, const Lighting& lighting)
 {
   EffectCounts counts;
-  counts.vertices = scene.Vertices().size();
+  counts.vertices = scene.NumberOfMapVertices();
   counts.tiltedVertices = scene.Notes().tiltedVertices;
-  counts.facets = scene.Facets().size();
+  counts.facets = scene.NumberOfGivenFacets();
   counts.scatteringFacets = scene.Notes().scatteringFacets;
   counts.colouredFacets = scene.Notes().colouredFacets;
   counts.lamps = lighting.luminaires.size();

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 namespace PhotonTransport
 {
@@ -29,6 +31,11 @@ std::optional<std::size_t> FacetEdgeOf(const Points&... points)
 /// As a share of the facet's height of its longest edge.
 constexpr double LeastSlimness = 1e-9;
 
+bool IsBefore(const glm::dvec3& p, const glm::dvec3& q)
+{
+  return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+}
+
 } // namespace
 
 CurvedPatch::CurvedPatch(const TriangleMesh& mesh, const MeshEdges& edges, const EdgeCurves& curves,
@@ -36,19 +43,45 @@ CurvedPatch::CurvedPatch(const TriangleMesh& mesh, const MeshEdges& edges, const
   : LongestEdge(longestEdge)
 {
   const glm::uvec3& ids = mesh.facets[facet];
+  this->Order = { 0, 1, 2 };
+  std::sort(this->Order.begin(), this->Order.end(),
+    [&](int a, int b) { return IsBefore(mesh.points[ids[a]], mesh.points[ids[b]]); });
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const PointPair& pair = edges.Pairs()[edges.PairOf(facet, i)];
+    const auto side = static_cast<std::size_t>(this->Order[i]);
+    const PointPair& pair = edges.Pairs()[edges.PairOf(facet, side)];
     const std::size_t next = (i + 1) % 3;
-    this->Corners[i] = mesh.points[ids[static_cast<int>(i)]];
+    this->Corners[i] = mesh.points[ids[this->Order[i]]];
     this->Offsets[i] = curves[pair.edge].offset;
     this->Halvings[i] = curves[pair.edge].halvings;
     this->MostSagitta[i] = curves[pair.edge].mostSagitta;
-    this->From[i] = pair.from == ids[static_cast<int>(next)] ? next : 3 - i - next;
+    this->From[i] = pair.from == ids[this->Order[next]] ? next : 3 - i - next;
   }
 }
 
-glm::dvec3 CurvedPatch::At(const glm::vec3& barycentric) const
+FacetTriangle CurvedPatch::InFacet(const FacetTriangle& part) const
+{
+  FacetTriangle inFacet;
+  for (std::size_t corner = 0; corner < 3; ++corner)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      inFacet[corner][this->Order[i]] = part[corner][static_cast<int>(i)];
+    }
+  }
+  if (!this->IsOrdered())
+  {
+    std::swap(inFacet[1], inFacet[2]);
+  }
+  return inFacet;
+}
+
+glm::dvec3 CurvedPatch::At(const glm::vec3& b) const
+{
+  return this->AtOrdered({ b[this->Order[0]], b[this->Order[1]], b[this->Order[2]] });
+}
+
+glm::dvec3 CurvedPatch::AtOrdered(const glm::vec3& barycentric) const
 {
   const glm::dvec3 b(barycentric);
   if (const std::optional<std::size_t> edge = FacetEdgeOf(barycentric))
@@ -79,7 +112,7 @@ bool CurvedPatch::Halves(const glm::vec3& p, const glm::vec3& q) const
   const glm::dvec3 d(way);
   const glm::dvec3 offset =
     -(d.y * d.z * this->Offsets[0] + d.z * d.x * this->Offsets[1] + d.x * d.y * this->Offsets[2]);
-  return glm::length(this->At(q) - this->At(p)) > this->LongestEdge ||
+  return glm::length(this->AtOrdered(q) - this->AtOrdered(p)) > this->LongestEdge ||
     glm::length(offset) > this->MostSagittaAlong(way);
 }
 
@@ -108,7 +141,7 @@ bool CurvedPatch::Turns() const
   }
   const glm::dvec3 ab = this->Corners[1] - this->Corners[0];
   const glm::dvec3 ac = this->Corners[2] - this->Corners[0];
-  const glm::dvec3 area = glm::cross(ab, ac);
+  const glm::dvec3 area = this->IsOrdered() ? glm::cross(ab, ac) : glm::cross(ac, ab);
   const double longest = std::max({ glm::length(ab), glm::length(ac), glm::length(ac - ab) });
   bool turns = !(glm::length(area) > LeastSlimness * longest * longest);
   const auto look = [&](const FacetTriangle& part)

@@ -23,12 +23,9 @@ public:
     return this->Halvings[0] == 0 && this->Halvings[1] == 0 && this->Halvings[2] == 0;
   }
 
-  /// The same bits for both facets of an edge.
+  /// The same bits for all facets of an edge, and for all facets that have the same corners.
+  /// @param barycentric Of the facet.
   glm::dvec3 At(const glm::vec3& barycentric) const;
-
-  /// Whether the edge between two points of the patch is to be halved. On an edge of the facet this
-  /// is a matter of the edge alone.
-  bool Halves(const glm::vec3& p, const glm::vec3& q) const;
 
   /// Calls keep(FacetTriangle) for each part of the facet.
   template <class Keep>
@@ -41,7 +38,7 @@ public:
     }
     PhotonTransport::Subdivide(
       WholeFacet, [this](const glm::vec3& p, const glm::vec3& q) { return this->Halves(p, q); },
-      keep);
+      [&](const FacetTriangle& part) { keep(this->InFacet(part)); });
   }
 
   /// Whether the patch is curved, and a part of it faces away from the facet. A facet that is too
@@ -49,9 +46,18 @@ public:
   bool Turns() const;
 
 private:
+  // The corners in here are in the order of their coordinates, whatever their order in the facet:
+  // so two sheets of a wall, of which one faces the other way, have their parts in the same places.
+  bool IsOrdered() const { return (this->Order[0] + 1) % 3 == this->Order[1]; }
+  FacetTriangle InFacet(const FacetTriangle& part) const;
+  glm::dvec3 AtOrdered(const glm::vec3& barycentric) const;
+  /// Whether the edge between two points of the patch is to be halved. On an edge of the facet this
+  /// is a matter of the edge alone.
+  bool Halves(const glm::vec3& p, const glm::vec3& q) const;
   double MostSagittaAlong(const glm::vec3& way) const;
 
   double LongestEdge;
+  std::array<int, 3> Order; ///< Of each corner: its place in the facet.
   std::array<glm::dvec3, 3> Corners;
   std::array<glm::dvec3, 3> Offsets; ///< Edge i is opposite to corner i.
   std::array<int, 3> Halvings;

@@ -42,7 +42,7 @@ void AppendParts(std::uint32_t facet, const std::array<glm::vec3, 3>& corners,
   {
     if (part != WholeFacet)
     {
-      parts.push_back({ facet, part,
+      parts.push_back({ { facet, part },
         { PositionOf(part[0], corners), PositionOf(part[1], corners),
           PositionOf(part[2], corners) } });
     }

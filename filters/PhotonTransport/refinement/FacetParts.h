@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PhotonTransport/refinement/Subdivision.h"
+#include "PhotonTransport/refinement/FacetOrigin.h"
 
 #include <glm/vec3.hpp>
 
@@ -14,17 +14,9 @@ namespace PhotonTransport
 {
 
 /// A part of a flat facet.
-struct FacetPart
+struct FacetPart : FacetOrigin
 {
-  std::uint32_t facet;
-  FacetTriangle corners;
   std::array<glm::vec3, 3> positions; ///< Of the corners, each rounded once.
-
-  /// The facet's barycentric coordinates of a point that is given in those of the part.
-  glm::vec3 InFacet(const glm::vec3& inPart) const
-  {
-    return inPart.x * this->corners[0] + inPart.y * this->corners[1] + inPart.z * this->corners[2];
-  }
 };
 
 /// The point that has these barycentric coordinates. The products are exact, and on an edge only

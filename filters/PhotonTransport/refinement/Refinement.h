@@ -2,8 +2,8 @@
 #pragma once
 
 #include "PhotonTransport/refinement/EdgeCurves.h"
+#include "PhotonTransport/refinement/FacetOrigin.h"
 #include "PhotonTransport/refinement/MeshEdges.h"
-#include "PhotonTransport/refinement/Subdivision.h"
 
 #include <glm/vec3.hpp>
 
@@ -14,13 +14,6 @@ namespace PhotonTransport
 {
 
 class CurvedPatch;
-
-/// Which part of which facet a facet of a refined mesh is.
-struct FacetOrigin
-{
-  std::uint32_t facet;
-  FacetTriangle corners;
-};
 
 /// A finer mesh over a given one.
 struct RefinedMesh

@@ -62,6 +62,10 @@ Scene::Scene(const Surface& surface)
 
 std::uint32_t Scene::InSurface(std::uint32_t facet) const
 {
+  if (!this->GivenFacets.empty())
+  {
+    return this->GivenIndex(facet);
+  }
   for (const std::uint32_t dropped : this->Dropped)
   {
     facet += dropped <= facet;
@@ -92,11 +96,33 @@ void Scene::AddFacets(const Surface& surface, const std::vector<glm::vec3>& posi
     this->AddFacet(surface, f, positions);
   }
   this->FacetMaterials = surface.materials;
-  this->CountScatterings();
+  this->CountEffects();
   if (this->FacetRecords.empty())
   {
     throw InvalidInput(InvalidInput::Where::Surface, 0, "every triangle has zero area");
   }
+}
+
+/// Whether the front is the side round which the facet's corners run clockwise. Parts of a facet
+/// have its front.
+bool Scene::IsTurned(
+  const Surface& surface, std::size_t facet, const std::vector<glm::vec3>& positions)
+{
+  const std::size_t given =
+    surface.IsRefined() ? std::size_t{ surface.given.origins[facet].facet } : facet;
+  const glm::uvec3& ids = surface.IsRefined() ? surface.given.facets[given] : surface.facets[given];
+  const glm::dvec3 a(positions[ids[0]]), b(positions[ids[1]]), c(positions[ids[2]]);
+  const FacetSide side = SideOf(0.5 * glm::cross(b - a, c - a),
+    { surface.normals[ids.x], surface.normals[ids.y], surface.normals[ids.z] });
+  if (!surface.IsRefined() || surface.given.IsFirstPart(facet))
+  {
+    this->Found.turnedFacets += side.turned;
+    if (side.undecided)
+    {
+      this->Found.undecidedFacets.Add(given);
+    }
+  }
+  return side.turned;
 }
 
 /// Leaves out a facet that has no area.
@@ -114,17 +140,12 @@ void Scene::AddFacet(
     this->Dropped.push_back(static_cast<std::uint32_t>(facet));
     return;
   }
-  const FacetSide side =
-    SideOf(areaVector, { surface.normals[ids.x], surface.normals[ids.y], surface.normals[ids.z] });
-  if (side.turned)
+  if (surface.IsRefined())
   {
-    areaVector = -areaVector;
-    ++this->Found.turnedFacets;
+    const FacetOrigin& origin = surface.given.origins[facet];
+    this->GivenFacets.push_back({ surface.given.facets[origin.facet], origin });
   }
-  if (side.undecided)
-  {
-    this->Found.undecidedFacets.Add(facet);
-  }
+  areaVector = this->IsTurned(surface, facet, positions) ? -areaVector : areaVector;
   const float reflectance =
     Luminous(surface.materials[surface.materialOfFacet[facet]].diffuseReflectance);
   this->FacetRecords.push_back(
@@ -135,23 +156,25 @@ void Scene::AddFacet(
   {
     this->FacetExitance.push_back(surface.exitance[facet]);
   }
-  this->Found.colouredFacets += IsColoured(surface, facet);
 }
 
-/// How many facets scatter light in each way.
-void Scene::CountScatterings()
+/// How many facets scatter light in each way, or treat or emit channels unequally.
+void Scene::CountEffects()
 {
   std::vector<ScatteringSet> ways(this->FacetMaterials.size());
   std::transform(
     this->FacetMaterials.begin(), this->FacetMaterials.end(), ways.begin(), ScatteringsOf);
-  for (std::size_t f = 0; f < this->FacetRecords.size(); ++f)
+  for (unsigned s = 0; s < Scatterings; ++s)
   {
-    const ScatteringSet set = ways[this->FacetMaterial[f]];
-    for (unsigned s = 0; s < Scatterings; ++s)
-    {
-      this->Found.scatteringFacets[s] += (set >> s) & 1u;
-    }
+    this->Found.scatteringFacets[s] = this->CountGiven(
+      [&](std::uint32_t f) { return ((ways[this->FacetMaterial[f]] >> s) & 1u) != 0; });
   }
+  this->Found.colouredFacets = this->CountGiven(
+    [this](std::uint32_t f)
+    {
+      return IsColoured(this->FacetMaterials[this->FacetMaterial[f]]) ||
+        (!this->FacetExitance.empty() && !IsGrey(this->FacetExitance[f]));
+    });
 }
 
 void Scene::BuildBvh(std::vector<glm::vec3> positions)

@@ -92,7 +92,31 @@ public:
   }
 
   const std::vector<Facet>& Facets() const { return this->FacetRecords; }
+  /// The vertices that light counts for come first. Those that a refinement added have no more than
+  /// a position.
   const std::vector<Vertex>& Vertices() const { return this->VertexRecords; }
+  /// Vertices of the surface that the user gave: those of the map.
+  std::size_t NumberOfMapVertices() const { return this->Areas.size(); }
+  /// Facets of the surface that the user gave, without those that were left out.
+  std::size_t NumberOfGivenFacets() const
+  {
+    return this->CountGiven([](std::uint32_t) { return true; });
+  }
+  /// Where the light of a hit counts: on the given facet of which the hit one is a part.
+  RegisteredPlace PlaceOnGiven(const Hit& hit) const
+  {
+    if (this->GivenFacets.empty())
+    {
+      return { this->FacetRecords[hit.facet].vertices, hit.barycentric };
+    }
+    const GivenFacet& given = this->GivenFacets[hit.facet];
+    return { given.vertices, given.origin.InFacet(hit.barycentric) };
+  }
+  const glm::uvec3& GivenVertices(std::uint32_t facet) const
+  {
+    return this->GivenFacets.empty() ? this->FacetRecords[facet].vertices
+                                     : this->GivenFacets[facet].vertices;
+  }
   /// Area vectors of the ring of a vertex.
   Range<RingAreas> AreasOfRing(std::uint32_t vertex) const
   {
@@ -106,7 +130,8 @@ public:
   const std::vector<Material>& Materials() const { return this->FacetMaterials; }
   /// Index into Materials, by facet.
   const std::vector<std::uint32_t>& MaterialOfFacet() const { return this->FacetMaterial; }
-  /// A_i = 1/3 sum |a_f| over the ring, m^2.
+  /// A_i = 1/3 sum |a_f| over the ring, m^2, of the vertices of the map. Parts of facets count by
+  /// the mean of the vertex's barycentric coordinate over them.
   const std::vector<double>& VertexAreas() const { return this->Areas; }
   /// Scene area times this is in m^2.
   double SquareMetresPerSceneArea() const;
@@ -116,16 +141,41 @@ public:
 
 private:
   void RequireSize() const;
-  void CountScatterings();
+  void CountEffects();
   void AddFacets(const Surface& surface, const std::vector<glm::vec3>& positions);
   void AddFacet(const Surface& surface, std::size_t facet, const std::vector<glm::vec3>& positions);
+  bool IsTurned(const Surface& surface, std::size_t facet, const std::vector<glm::vec3>& positions);
+  /// The index of the given facet that a facet is a part of, or the facet's own.
+  std::uint32_t GivenIndex(std::uint32_t facet) const
+  {
+    return this->GivenFacets.empty() ? facet : this->GivenFacets[facet].origin.facet;
+  }
+  /// How many given facets there are of which a part fulfils a condition.
+  template <typename Condition>
+  std::size_t CountGiven(const Condition& fulfils) const
+  {
+    std::size_t number = 0;
+    std::uint32_t last = NoFacet;
+    for (std::uint32_t f = 0; f < this->FacetRecords.size(); ++f)
+    {
+      if (fulfils(f))
+      {
+        number += this->GivenIndex(f) != last;
+        last = this->GivenIndex(f);
+      }
+    }
+    return number;
+  }
   void AddVertices(const Surface& surface, const std::vector<glm::vec3>& positions);
   FacetRings RingsThatCount(std::size_t vertices) const;
-  void AddRingAreas(const Range<std::uint32_t>& ring);
+  float ShareOfCorner(std::uint32_t facet, int corner) const;
+  void FindAreasAround(
+    std::uint32_t vertex, const FacetRings& rings, std::vector<glm::vec3>& areas) const;
+  void AddRingAreas(const std::vector<glm::vec3>& ring);
   void AddVertex(
-    const Range<std::uint32_t>& ring, const glm::dvec3& givenNormal, const glm::vec3& position);
-  glm::dvec3 UsableNormal(
-    const Range<std::uint32_t>& ring, const glm::dvec3& givenNormal, const glm::dvec3& areaVectors);
+    const std::vector<glm::vec3>& ring, const glm::dvec3& givenNormal, const glm::vec3& position);
+  glm::dvec3 UsableNormal(const std::vector<glm::vec3>& ring, const glm::dvec3& givenNormal,
+    const glm::dvec3& areaVectors);
   void FindSharedPlaces(const std::vector<glm::vec3>& positions);
   void FinishNotesOnSharedPlaces();
   void MarkSharedPlace(const FacetOverlap& overlap);
@@ -150,6 +200,7 @@ private:
   double MetresPerUnit;
   float LeastReach = 0x1p-16f;
   std::vector<Facet> FacetRecords;
+  std::vector<GivenFacet> GivenFacets; ///< One a facet of a refined surface; else empty.
   std::vector<glm::vec3> FacetAreas;
   std::vector<Colour> FacetExitance;
   std::vector<Material> FacetMaterials;

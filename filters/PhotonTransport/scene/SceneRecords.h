@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/refinement/FacetOrigin.h"
+
 #include <glm/vec3.hpp>
 
 namespace PhotonTransport
@@ -30,6 +32,21 @@ struct alignas(32) Facet
   float marginPerOffset;
 };
 
+/// The facet of the given surface that a facet of a refined one is a part of: light counts for its
+/// vertices.
+struct GivenFacet
+{
+  glm::uvec3 vertices;
+  FacetOrigin origin;
+};
+
+/// A point of a facet on which light is registered.
+struct RegisteredPlace
+{
+  glm::uvec3 vertices;
+  glm::vec3 barycentric;
+};
+
 /// What registration and reflection need of a vertex. Areas are in scene units.
 struct alignas(64) Vertex
 {
@@ -41,7 +58,8 @@ struct alignas(64) Vertex
   /// largest tilt, which is the angle between the normal and the normal of a facet of the ring.
   /// Light with -w.n >= sinTilt meets every facet of the ring from the front.
   float sinTilt;
-  float inverseThreeAreas; ///< 1 / sum |a_f|; 0 for a vertex without a facet.
+  /// 1 / sum |a_f|; 0 for a vertex without a facet, and 1 where only the position counts.
+  float inverseThreeAreas;
 
   /// Whether all registrations do the same here as Registration::Flat.
   bool IsFlat() const { return this->sinTilt < 0.0f; }

@@ -102,7 +102,7 @@ void Scene::MarkSharedPlace(const FacetOverlap& overlap)
   if (overlap.copies)
   {
     mark(notes.copies, SharesPlace,
-      IsCopy | CornersOf(this->FacetRecords[second].vertices, this->FacetRecords[first].vertices));
+      IsCopy | CornersOf(this->GivenVertices(second), this->GivenVertices(first)));
     if (!this->FacetExitance.empty()) // they shine once, as the brighter one
     {
       const bool secondIsBrighter = exitance(second) > exitance(first);
@@ -150,7 +150,8 @@ void Scene::JoinNearOverlaps(NearOverlaps& near)
   for (const FacetOverlap& overlap : near.LeftToChance())
   {
     this->NoteOverlap(note, overlap);
-    facets.insert(facets.end(), { overlap.first, overlap.second });
+    facets.insert(
+      facets.end(), { this->GivenIndex(overlap.first), this->GivenIndex(overlap.second) });
   }
   std::sort(facets.begin(), facets.end());
   note.facets =
@@ -197,8 +198,8 @@ void Scene::FinishNotesOnSharedPlaces()
   SharedPlaceNotes& notes = this->Found.sharedPlaces;
   const auto count = [&](SharedPlaceNote& note, unsigned bit)
   {
-    note.facets = static_cast<std::size_t>(std::count_if(this->Shared.begin(), this->Shared.end(),
-      [&](std::uint8_t mark) { return (mark & bit) != 0; }));
+    note.facets = this->CountGiven(
+      [&](std::uint32_t f) { return !this->Shared.empty() && (this->Shared[f] & bit) != 0; });
   };
   count(notes.copies, IsCopy);
   count(notes.inPart, OverlapsInPart);

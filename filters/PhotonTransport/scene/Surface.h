@@ -2,6 +2,7 @@
 #pragma once
 
 #include "PhotonTransport/materials/Material.h"
+#include "PhotonTransport/refinement/FacetOrigin.h"
 
 #include <glm/vec3.hpp>
 
@@ -12,7 +13,21 @@
 namespace PhotonTransport
 {
 
-/// A triangulated surface as the user describes it.
+/// The surface that a refined one was made from.
+struct GivenSurface
+{
+  std::vector<glm::uvec3> facets;
+  std::size_t points = 0; ///< They are the first points of the refined surface, too.
+  /// Which part of which given facet a facet is, one a facet. Parts of a facet follow each other.
+  std::vector<FacetOrigin> origins;
+
+  bool IsFirstPart(std::size_t facet) const
+  {
+    return facet == 0 || this->origins[facet].facet != this->origins[facet - 1].facet;
+  }
+};
+
+/// A triangulated surface as the user describes it, or as it was refined from that.
 struct Surface
 {
   std::vector<glm::dvec3> points;  ///< In the data's length unit; finite where a facet uses them.
@@ -27,6 +42,10 @@ struct Surface
   /// that coordinate: 2^-24 for points of single precision, 0 for double. >= 0, finite. Surfaces
   /// that lie in one plane up to this are in one place, see SharedPlace.
   double rounding = 0.0;
+  /// Empty unless the surface is refined. Light is registered on the given facets.
+  GivenSurface given;
+
+  bool IsRefined() const { return !this->given.origins.empty(); }
 };
 
 /// Throws InvalidInput at the first value outside what Surface promises.

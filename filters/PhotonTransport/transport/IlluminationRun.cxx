@@ -141,7 +141,7 @@ std::uint64_t IlluminationRun::NextRound(const StopRules& rules) const
   const std::uint64_t replicates = this->Sums.replicates.size();
   const std::uint64_t limit = this->BlocksFor(rules.photons);
   const std::uint64_t first =
-    std::max<std::uint64_t>(FirstRound, this->LitScene.Vertices().size() / PhotonBlock);
+    std::max<std::uint64_t>(FirstRound, this->LitScene.NumberOfMapVertices() / PhotonBlock);
   const auto traced = static_cast<double>(this->BlocksTraced() / replicates);
   const double growth = rules.relativeError > 0.0 ? GrowthTowardsTarget : Growth;
   double next = std::max(static_cast<double>(first), growth * traced);
@@ -165,7 +165,7 @@ std::optional<StopReason> IlluminationRun::TraceRound(
 {
   const std::uint64_t end = this->NextRound(rules);
   const std::uint64_t slice = std::max<std::uint64_t>(
-    LeastSlice, SlicePhotonsPerVertex * this->LitScene.Vertices().size() / PhotonBlock);
+    LeastSlice, SlicePhotonsPerVertex * this->LitScene.NumberOfMapVertices() / PhotonBlock);
   for (std::uint32_t r = 0; r < this->Sums.replicates.size(); ++r)
   {
     while (this->BlocksOf(r) < end)

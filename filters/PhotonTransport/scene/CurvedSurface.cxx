@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PhotonTransport/scene/CurvedSurface.h"
+
+#include "PhotonTransport/refinement/Refinement.h"
+
+#include <glm/trigonometric.hpp>
+
+#include <utility>
+
+namespace PhotonTransport
+{
+namespace
+{
+
+template <typename Element>
+std::vector<Element> OfParts(
+  const std::vector<Element>& ofFacets, const std::vector<FacetOrigin>& origins)
+{
+  std::vector<Element> ofParts;
+  if (!ofFacets.empty())
+  {
+    ofParts.reserve(origins.size());
+    for (const FacetOrigin& origin : origins)
+    {
+      ofParts.push_back(ofFacets[origin.facet]);
+    }
+  }
+  return ofParts;
+}
+
+} // namespace
+
+Surface CurvedSurface(Surface surface, std::uint64_t mostFacets)
+{
+  Validate(surface);
+  RefinementLimits limits;
+  limits.turn = glm::radians(7.0);
+  Refinement refinement({ surface.points, surface.normals, surface.facets }, limits);
+  refinement.Fit(mostFacets);
+  if (refinement.IsTrivial())
+  {
+    return surface;
+  }
+  RefinedMesh mesh = refinement.Make();
+  surface.given.points = surface.points.size();
+  surface.given.facets = std::move(surface.facets);
+  surface.facets = std::move(mesh.facets);
+  surface.points = std::move(mesh.points);
+  surface.normals.resize(surface.points.size(), glm::dvec3(0.0));
+  surface.materialOfFacet = OfParts(surface.materialOfFacet, mesh.origins);
+  surface.exitance = OfParts(surface.exitance, mesh.origins);
+  surface.given.origins = std::move(mesh.origins);
+  return surface;
+}
+
+} // namespace PhotonTransport
