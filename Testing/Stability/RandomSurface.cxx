@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RandomChoices.h"
 
+#include "PhotonTransport/materials/MaterialProperties.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -42,16 +44,23 @@ float ShareOf(double& rest)
 Material DrawMaterial()
 {
   Material material;
-  Colour* shares[] = { &material.diffuseReflectance, &material.specularReflectance,
-    &material.glossyReflectance, &material.diffuseTransmittance, &material.clearTransmittance };
+  std::vector<Colour*> shares;
+  for (const MaterialProperty& property : MaterialProperties)
+  {
+    if (const auto* share = std::get_if<Colour Material::*>(&property.member))
+    {
+      shares.push_back(&(material.**share));
+    }
+  }
   const bool grey = OneIn(2);
-  const int first = Below(5); // takes what it wants; the others have the rest
+  // The first takes what it wants; the others have the rest.
+  const auto first = static_cast<std::size_t>(Below(static_cast<int>(shares.size())));
   for (int channel = 0; channel < (grey ? 1 : 3); ++channel)
   {
     double rest = 1.0;
-    for (int s = 0; s < 5; ++s)
+    for (std::size_t s = 0; s < shares.size(); ++s)
     {
-      (*shares[(first + s) % 5])[channel] = ShareOf(rest);
+      (*shares[(first + s) % shares.size()])[channel] = ShareOf(rest);
     }
   }
   for (Colour* share : shares)

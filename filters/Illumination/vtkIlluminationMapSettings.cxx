@@ -138,6 +138,7 @@ PhotonTransport::Luminaire LuminaireOf(const LuminaireInput& input)
   return *std::move(luminaire);
 }
 
+/// All ways of scattering but those that are switched off. One that has no switch is on.
 PhotonTransport::ScatteringSet SwitchedOn(vtkIlluminationMap* filter)
 {
   using PhotonTransport::Scattering;
@@ -148,10 +149,10 @@ PhotonTransport::ScatteringSet SwitchedOn(vtkIlluminationMap* filter)
     { Scattering::DiffuseTransmission, filter->GetDiffuseTransmission() },
     { Scattering::ClearTransmission, filter->GetClearTransmission() },
     { Scattering::Refraction, filter->GetRefraction() } };
-  PhotonTransport::ScatteringSet set = 0;
+  PhotonTransport::ScatteringSet set = PhotonTransport::AllScatterings;
   for (const auto& [scattering, on] : switches)
   {
-    set |= on ? SetOf(scattering) : 0u;
+    set &= on ? set : ~SetOf(scattering);
   }
   return set;
 }
