@@ -107,11 +107,7 @@ std::ostream& operator<<(std::ostream& out, const RandomScene& scene)
     }
     if (!surface.exitance.empty())
     {
-      out << " exitance " << surface.exitance[f];
-    }
-    if (!surface.exitanceColour.empty())
-    {
-      out << " of colour " << glm::dvec3(surface.exitanceColour[f]);
+      out << " exitance " << glm::dvec3(surface.exitance[f]);
     }
   }
   for (const Material& material : surface.materials)

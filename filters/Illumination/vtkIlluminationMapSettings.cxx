@@ -242,3 +242,51 @@ SurfaceDescription vtkIlluminationMap::DescribeSurface(bool otherLamps)
   }
   return description;
 }
+
+void vtkIlluminationMap::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto vector = [](const double* v)
+  { return std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " + std::to_string(v[2]); };
+  os << indent << "LampType: " << this->LampType << "\n"
+     << indent << "LampPosition: " << vector(this->LampPosition) << "\n"
+     << indent << "LampDirection: " << vector(this->LampDirection) << "\n"
+     << indent << "LampSize: " << this->LampSize[0] << ", " << this->LampSize[1] << "\n"
+     << indent << "SpotHalfAngle: " << this->SpotHalfAngle << "\n"
+     << indent << "SpotExponent: " << this->SpotExponent << "\n"
+     << indent << "LuminousFlux: " << this->LuminousFlux << "\n"
+     << indent << "ParallelIlluminance: " << this->ParallelIlluminance << "\n"
+     << indent << "Reflectance: " << this->Reflectance << "\n"
+     << indent << "SpecularReflectance: " << this->SpecularReflectance << "\n"
+     << indent << "GlossyReflectance: " << this->GlossyReflectance << "\n"
+     << indent << "Roughness: " << this->Roughness << "\n"
+     << indent << "DiffuseTransmittance: " << this->DiffuseTransmittance << "\n"
+     << indent << "ClearTransmittance: " << this->ClearTransmittance << "\n"
+     << indent << "RefractiveIndex: " << this->RefractiveIndex << "\n"
+     << indent << "SolidBody: " << this->SolidBody << "\n"
+     << indent << "UseMaterialArrays: " << this->UseMaterialArrays << "\n"
+     << indent << "ReflectanceArray: " << this->ReflectanceArray << "\n"
+     << indent << "ExitanceArray: " << this->ExitanceArray << "\n"
+     << indent << "Registration: " << this->Registration << "\n"
+     << indent << "Photons: " << this->Photons << "\n"
+     << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"
+     << indent << "TimeLimit: " << this->TimeLimit << "\n"
+     << indent << "Seed: " << this->Seed << "\n"
+     << indent << "Sampling: " << this->Sampling << "\n"
+     << indent << "Interreflection: " << this->Interreflection << "\n"
+     << indent << "SpecularReflection: " << this->SpecularReflection << "\n"
+     << indent << "GlossyReflection: " << this->GlossyReflection << "\n"
+     << indent << "DiffuseTransmission: " << this->DiffuseTransmission << "\n"
+     << indent << "ClearTransmission: " << this->ClearTransmission << "\n"
+     << indent << "Refraction: " << this->Refraction << "\n"
+     << indent << "Colour: " << this->Colour << "\n"
+     << indent << "LampContributions: " << this->LampContributions << "\n"
+     << indent << "RegisterBackSide: " << this->RegisterBackSide << "\n"
+     << indent << "GroupMeans: " << this->GroupMeans << "\n"
+     << indent << "MetresPerUnit: " << this->MetresPerUnit << "\n"
+     << indent << "FeatureAngle: " << this->FeatureAngle << "\n"
+     << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n"
+     << indent << "WeightBound: " << this->WeightBound << "\n"
+     << indent << "MaximumPathLength: " << this->MaximumPathLength << "\n"
+     << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+}

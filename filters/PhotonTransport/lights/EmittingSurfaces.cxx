@@ -117,9 +117,10 @@ Prepared<FacetEmitter> EmittingFacets::Prepare(const Scene& scene) const
   double sum = 0.0;
   for (std::uint32_t f = 0; f < scene.Exitance().size(); ++f)
   {
-    if (scene.Exitance()[f] > 0.0f)
+    const float exitance = Luminous(scene.Exitance()[f]);
+    if (exitance > 0.0f)
     {
-      fluxes.push_back(scene.Exitance()[f] * double{ glm::length(scene.AreaVectors()[f]) });
+      fluxes.push_back(exitance * double{ glm::length(scene.AreaVectors()[f]) });
       emitter.facets.push_back(f);
       sum += fluxes.back();
     }

@@ -18,10 +18,14 @@ struct FacetEmitter
     return this->facets[this->table.At(share.PlaceOf(sample))];
   }
   Ray Emit(const PhotonSample& sample, const Share& share) const;
+  const Colour* OwnColour(const PhotonSample& sample, const Share& share) const
+  {
+    return &this->scene->Exitance()[this->FacetOf(sample, share)];
+  }
 };
 
 /// Lambertian photons from triangles that are not part of the scene.
-struct MeshEmitter
+struct MeshEmitter : LuminaireColoured
 {
   struct Triangle
   {

@@ -12,7 +12,7 @@ namespace PhotonTransport
 {
 
 /// Photons from a point by a table of intensities.
-struct TableEmitter
+struct TableEmitter : LuminaireColoured
 {
   glm::dvec3 position;
   glm::dvec3 azimuth0, azimuth90, pole; ///< Orthonormal.

@@ -10,7 +10,7 @@ namespace PhotonTransport
 {
 
 /// Photons of uniform luminance from a hemisphere or sphere of directions onto the bounding ball.
-struct SkyEmitter
+struct SkyEmitter : LuminaireColoured
 {
   Frame up;
   bool wholeSphere;
@@ -19,7 +19,7 @@ struct SkyEmitter
 };
 
 /// Photons from a sky whose luminance a table gives, onto the bounding ball.
-struct TableSkyEmitter
+struct TableSkyEmitter : LuminaireColoured
 {
   glm::dvec3 azimuth0, azimuth90, up; ///< Orthonormal.
   float radius;                       ///< As SkyEmitter's.

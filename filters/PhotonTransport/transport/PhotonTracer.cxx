@@ -22,7 +22,7 @@ namespace PhotonTransport
 namespace
 {
 
-/// A roulette for each material, or, where there are no materials, for each reflectance.
+/// A roulette for each material, if the walk needs them.
 FacetRoulettes MakeRoulettes(const Scene& scene, Walk walk, bool colour)
 {
   FacetRoulettes made;
@@ -44,8 +44,8 @@ const TraceSettings& Validated(const TraceSettings& settings)
   return settings;
 }
 
-/// From one photon of 10^10 at the least weight, 2^-28, to all of them at the largest factor: every
-/// illuminance must be a number with all its digits.
+/// Every illuminance must be a number with all its digits, from that of one photon in 10^10 at the
+/// least weight, 2^-28, to that of all photons at the largest factor.
 void RequireIlluminanceInRange(const Scene& scene, double flux)
 {
   constexpr double LeastShare = 0x1p-62;
@@ -74,7 +74,7 @@ int ThreadCount(const TraceSettings& settings)
 
 } // namespace
 
-/// The threads, each with sums of its own: sharing one map by atomic additions costs 16 %.
+/// The threads, each with its own sums: one map shared by atomic additions would cost 16 %.
 struct PhotonTracer::Workers
 {
   explicit Workers(int threads)
