@@ -7,6 +7,26 @@
 
 using namespace PhotonTransport;
 
+namespace
+{
+
+// Equal is the same to the last bit here, as no value is NaN and none is -0.
+
+bool SameBits(const IlluminationMap& a, const IlluminationMap& b)
+{
+  return a.direct == b.direct && a.indirect == b.indirect && a.standardError == b.standardError &&
+    a.photonHits == b.photonHits;
+}
+
+bool SameCounts(const PhotonBalance& a, const PhotonBalance& b)
+{
+  return a.emitted == b.emitted && a.absorbed == b.absorbed && a.escaped == b.escaped &&
+    a.cutOff == b.cutOff && a.segments == b.segments && a.onBacks == b.onBacks &&
+    a.switchedOff == b.switchedOff;
+}
+
+} // namespace
+
 std::size_t MostFacetsInOnePlace(const Scene& scene)
 {
   const SharedPlaceNotes& shared = scene.Notes().sharedPlaces;
@@ -33,7 +53,13 @@ TracedMap::TracedMap(const ScenePointer& owned, const Lighting& lighting,
   IlluminationRun run(this->scene, lighting, settings);
   run.Advance({ photons });
   this->front = run.Front();
+  this->frontByColour = run.FrontByColour();
+  for (std::size_t lamp = 0; settings.lampsApart && lamp < lighting.luminaires.size(); ++lamp)
+  {
+    this->frontOfLamps.push_back(run.FrontOfLamp(lamp));
+  }
   this->balance = run.Balance();
+  this->effects = run.EffectsInUse();
   this->fluxCut = run.FluxCutByWeightBound();
   this->flux = run.Flux();
   EXPECT_EQ(
@@ -91,4 +117,11 @@ double TracedMap::FluxError() const
     square += std::pow(this->scene.VertexAreas()[v] * this->front.standardError[v], 2);
   }
   return std::sqrt(square);
+}
+
+bool TracedMap::HasTheBitsOf(const TracedMap& other) const
+{
+  return SameBits(this->front, other.front) && SameBits(this->back, other.back) &&
+    this->frontByColour == other.frontByColour && this->frontOfLamps == other.frontOfLamps &&
+    this->fluxCut == other.fluxCut && SameCounts(this->balance, other.balance);
 }

@@ -3,7 +3,9 @@
 
 #include "PhotonTransport/transport/IlluminationRun.h"
 
+#include <array>
 #include <memory>
+#include <vector>
 
 /// How many facets a hit registers on at most: 1, unless some lie in one place and face the same
 /// way.
@@ -31,8 +33,11 @@ private:
 
 public:
   const PhotonTransport::Scene& scene;
-  PhotonTransport::IlluminationMap front, back; ///< No back unless the settings register it.
+  PhotonTransport::IlluminationMap front, back;     ///< No back unless the settings register it.
+  std::vector<std::array<double, 3>> frontByColour; ///< lx; empty unless there are colours.
+  std::vector<std::vector<double>> frontOfLamps;    ///< lx; empty unless lamps are kept apart.
   PhotonTransport::PhotonBalance balance;
+  PhotonTransport::Effects effects;
   double fluxCut = 0.0; ///< By the weight bound, lm.
   double flux = 0.0;    ///< Of the lamps, lm.
 
@@ -41,6 +46,8 @@ public:
   /// Standard error of RegisteredFlux(front) as if vertices were independent, which is too small by
   /// less than sqrt(3), lm.
   double FluxError() const;
+  /// Whether all that the photons have left behind is the same to the last bit.
+  bool HasTheBitsOf(const TracedMap& other) const;
 
 private:
   void ExpectSound(const PhotonTransport::IlluminationMap& side) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The properties of vtkIlluminationMap in the core's terms.
+// The properties of vtkIlluminationMap in the core's terms, and in print.
 #include "vtkIlluminationMap.h"
 
 #include "Illumination/luminaires/LampProperties.h"

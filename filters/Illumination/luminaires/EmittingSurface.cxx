@@ -65,12 +65,19 @@ void TurnToNormals(
   }
 }
 
-/// The colour scaled so that its largest part is 1, since only ratios count. A mesh without light
-/// is white.
-Colour WithLargestOne(const glm::dvec3& colour)
+/// The colour of the light of all facets together, scaled so that its largest part is 1, since only
+/// ratios count. A mesh without light is white. @param exitance [facet]
+Colour ColourOf(const EmittingMesh& mesh, const std::vector<Colour>& exitance)
 {
-  const double largest = std::max({ colour.x, colour.y, colour.z });
-  return largest > 0.0 && std::isfinite(largest) ? Colour(colour / largest) : Colour(1.0f);
+  const std::vector<bool> copies = CopiesIn(mesh);
+  glm::dvec3 light(0.0);
+  for (std::size_t f = 0; f < mesh.facets.size(); ++f)
+  {
+    light += copies[f] ? glm::dvec3(0.0)
+                       : glm::length(AreaVector(mesh, mesh.facets[f])) * glm::dvec3(exitance[f]);
+  }
+  const double largest = std::max({ light.x, light.y, light.z });
+  return largest > 0.0 && std::isfinite(largest) ? Colour(light / largest) : Colour(1.0f);
 }
 
 } // namespace
@@ -108,18 +115,11 @@ std::optional<Luminaire> ReadEmittingSurface(vtkPolyData* data)
   {
     mesh.exitance.push_back(Luminous(colour));
   }
-  const std::vector<bool> copies = CopiesIn(mesh);
-  glm::dvec3 light(0.0);
-  for (std::size_t f = 0; f < mesh.facets.size(); ++f)
-  {
-    light += copies[f] ? glm::dvec3(0.0)
-                       : glm::length(AreaVector(mesh, mesh.facets[f])) * glm::dvec3(exitance[f]);
-  }
+  const Colour colour = ColourOf(mesh, exitance);
   auto* name =
     vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("LuminaireName"));
   const bool named = name && name->GetNumberOfValues() > 0;
-  return Luminaire{ std::move(mesh), named ? std::string(name->GetValue(0)) : "",
-    WithLargestOne(light) };
+  return Luminaire{ std::move(mesh), named ? std::string(name->GetValue(0)) : "", colour };
 }
 
 } // namespace Illumination
