@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/filtration/NoiseModel.h"
 
-#include "PhotonTransport/filtration/Parallel.h"
 #include "PhotonTransport/sampling/Philox.h"
+#include "PhotonTransport/scene/Threads.h"
 
 #include <cmath>
 

@@ -3,9 +3,9 @@
 
 #include "PhotonTransport/materials/Scattering.h"
 #include "PhotonTransport/scene/InvalidInput.h"
+#include "PhotonTransport/scene/Threads.h"
 
 #include <glm/vec2.hpp>
-#include <oneapi/tbb/info.h>
 
 #include <algorithm>
 #include <fstream>
@@ -84,8 +84,7 @@ std::uint64_t MemoryNeed(
   const Surface& surface, const Lighting& lighting, const TraceSettings& settings)
 {
   const std::uint64_t sides = settings.registerBackSide ? 2 : 1;
-  const auto threads = static_cast<std::uint64_t>(
-    settings.threads > 0 ? settings.threads : tbb::info::default_concurrency());
+  const auto threads = static_cast<std::uint64_t>(ThreadCount(settings.threads));
   const std::uint64_t sumsPerVertex = (settings.replicates + threads) * sides * sizeof(VertexSums);
   const bool colour = settings.colour &&
     (std::any_of(surface.materials.begin(), surface.materials.end(), IsColoured) ||

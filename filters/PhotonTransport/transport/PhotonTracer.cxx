@@ -2,12 +2,7 @@
 #include "PhotonTransport/transport/PhotonTracer.h"
 
 #include "PhotonTransport/scene/InvalidInput.h"
-#include "PhotonTransport/scene/ParallelFor.h"
 #include "PhotonTransport/transport/CompiledWalks.h"
-
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -67,37 +62,7 @@ void RequireIlluminanceInRange(const Scene& scene, double flux)
   }
 }
 
-int ThreadCount(const TraceSettings& settings)
-{
-  return settings.threads > 0 ? settings.threads : tbb::info::default_concurrency();
-}
-
 } // namespace
-
-/// The threads, each with sums of its own: sharing one map by atomic additions costs 16 %.
-struct PhotonTracer::Workers
-{
-  explicit Workers(int threads)
-    : limit(MoreThanCores(threads))
-    , arena(threads)
-    , sums(static_cast<std::size_t>(threads))
-  {
-  }
-
-  /// oneTBB by itself never runs more threads than there are cores.
-  static std::unique_ptr<tbb::global_control> MoreThanCores(int threads)
-  {
-    constexpr auto Limit = tbb::global_control::max_allowed_parallelism;
-    const auto wanted = static_cast<std::size_t>(threads);
-    return wanted > tbb::global_control::active_value(Limit)
-      ? std::make_unique<tbb::global_control>(Limit, wanted)
-      : nullptr;
-  }
-
-  std::unique_ptr<tbb::global_control> limit;
-  tbb::task_arena arena;
-  std::vector<IlluminationSums> sums;
-};
 
 PhotonTracer::PhotonTracer(
   const Scene& scene, const Lighting& lighting, const TraceSettings& settings)
@@ -107,16 +72,11 @@ PhotonTracer::PhotonTracer(
   , Source(lighting, scene, this->EffectsFound.colour)
   , OwnWalk(settings.mostGeneralWalk ? Walk::General : WalkFor(this->EffectsFound))
   , Materials(MakeRoulettes(scene, this->OwnWalk, this->EffectsFound.colouredFacets))
-  , Pool(MakeProcessPtr<Workers>(ThreadCount(settings)))
+  , Workers(settings.threads)
+  , WorkerSums(static_cast<std::size_t>(ThreadCount(settings.threads)), this->EmptySums())
 {
   RequireIlluminanceInRange(scene, this->Flux());
-  for (IlluminationSums& sums : this->Pool->sums)
-  {
-    sums = this->EmptySums();
-  }
 }
-
-PhotonTracer::~PhotonTracer() = default;
 
 IlluminationSums PhotonTracer::EmptySums() const
 {
@@ -169,11 +129,10 @@ bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint
   std::atomic<std::uint64_t> done{ 0 };
   const std::thread::id caller = std::this_thread::get_id();
 
-  const auto work = [&](const tbb::blocked_range<std::uint64_t>& blocks)
+  const auto work = [&](std::uint64_t begin, std::uint64_t end)
   {
-    const auto thread = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
-    IlluminationSums& own = this->Pool->sums[thread];
-    for (std::uint64_t block = blocks.begin(); block < blocks.end() && goOn; ++block)
+    IlluminationSums& own = this->WorkerSums.Own();
+    for (std::uint64_t block = begin; block < end && goOn; ++block)
     {
       traceBlock(
         walk, this->Settings.weightBound, block * PhotonBlock, (block + 1) * PhotonBlock, own);
@@ -184,8 +143,8 @@ bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint
       }
     }
   };
-  this->Pool->arena.execute([&] { ParallelFor(first, first + count, work); });
-  for (IlluminationSums& own : this->Pool->sums)
+  this->Workers.Run([&] { ParallelFor(first, first + count, work); });
+  for (IlluminationSums& own : this->WorkerSums)
   {
     MoveInto(sums, layers ? *layers : sums.layers, own);
   }
