@@ -5,6 +5,7 @@
 #include "PhotonTransport/filtration/ExpectedError.h"
 #include "PhotonTransport/filtration/NoiseModel.h"
 #include "PhotonTransport/filtration/ScaleSelection.h"
+#include "PhotonTransport/filtration/SpectralFilter.h"
 #include "PhotonTransport/filtration/VertexOrder.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/scene/Threads.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PhotonTransport/filtration/SpectralFilter.h"
+#include "PhotonTransport/filtration/FiltrationMonitor.h"
+#include "PhotonTransport/filtration/SmoothingGraph.h"
 #include "PhotonTransport/statistics/GroupMeans.h"
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 

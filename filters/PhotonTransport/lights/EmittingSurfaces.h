@@ -13,10 +13,7 @@ struct FacetEmitter
   const Scene* scene;
   std::vector<std::uint32_t> facets; ///< Those that shine.
   FluxTable table;                   ///< Chooses one of them.
-  std::uint32_t FacetOf(const PhotonSample& sample, const Share& share) const
-  {
-    return this->facets[this->table.At(share.PlaceOf(sample))];
-  }
+  std::uint32_t FacetOf(const PhotonSample& sample, const Share& share) const;
   Ray Emit(const PhotonSample& sample, const Share& share) const;
 };
 

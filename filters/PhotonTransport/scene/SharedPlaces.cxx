@@ -245,7 +245,7 @@ void Scene::FindSharers(Hit& hit, std::vector<Sharer>& sharers) const
     }
   };
   // Seen along the axis a facet may be farther from the point than its plane is.
-  this->Bvh->ForEachNear(glm::vec3(point), static_cast<float>(near + 2.0 * apart), look);
+  this->ForEachNear(glm::vec3(point), static_cast<float>(near + 2.0 * apart), look);
   std::sort(sharers.begin(), sharers.end(),
     [](const Sharer& a, const Sharer& b) { return a.facet < b.facet; });
   sharers.erase(std::unique(sharers.begin(), sharers.end(),

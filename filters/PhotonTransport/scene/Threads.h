@@ -5,6 +5,7 @@
 
 #include "PhotonTransport/scene/ProcessEnd.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -71,10 +72,11 @@ template <typename T>
 class PerThread
 {
 public:
-  PerThread(std::size_t threads, const T& value)
+  explicit PerThread(std::size_t threads, const T& value = {})
     : Values(threads, value)
   {
   }
+  void Fill(const T& value) { std::fill(this->Values.begin(), this->Values.end(), value); }
   T& Own() { return this->Values[ThreadIndex()]; }
   auto begin() { return this->Values.begin(); }
   auto end() { return this->Values.end(); }

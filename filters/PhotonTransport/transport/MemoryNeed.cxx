@@ -2,7 +2,10 @@
 #include "PhotonTransport/transport/MemoryNeed.h"
 
 #include "PhotonTransport/materials/Scattering.h"
+#include "PhotonTransport/refinement/Subdivision.h"
+#include "PhotonTransport/registration/IlluminationSums.h"
 #include "PhotonTransport/scene/InvalidInput.h"
+#include "PhotonTransport/scene/SceneRecords.h"
 #include "PhotonTransport/scene/Threads.h"
 
 #include <glm/vec2.hpp>

@@ -2,6 +2,7 @@
 #include "PhotonTransport/transport/PhotonTracer.h"
 
 #include "PhotonTransport/scene/InvalidInput.h"
+#include "PhotonTransport/scene/Threads.h"
 #include "PhotonTransport/transport/CompiledWalks.h"
 
 #include <algorithm>
@@ -64,24 +65,48 @@ void RequireIlluminanceInRange(const Scene& scene, double flux)
 
 } // namespace
 
+struct PhotonTracer::Implementation
+{
+  Implementation(const Scene& scene, const Lighting& lighting, const Effects& effects,
+    const TraceSettings& settings)
+    : source(lighting, scene, effects.colour)
+    , walk(settings.mostGeneralWalk ? Walk::General : WalkFor(effects))
+    , materials(MakeRoulettes(scene, this->walk, effects.colouredFacets))
+    , workers(settings.threads)
+    , workerSums(ThreadCount(settings.threads))
+  {
+  }
+
+  Emitter source;
+  Walk walk;
+  FacetRoulettes materials;
+  Threads workers;
+  /// Each thread has sums of its own: sharing one map by atomic additions costs 16 %.
+  PerThread<IlluminationSums> workerSums;
+};
+
 PhotonTracer::PhotonTracer(
   const Scene& scene, const Lighting& lighting, const TraceSettings& settings)
   : LitScene(scene)
   , Settings(Validated(settings))
   , EffectsFound(AnalyseEffects(scene, lighting, settings))
-  , Source(lighting, scene, this->EffectsFound.colour)
-  , OwnWalk(settings.mostGeneralWalk ? Walk::General : WalkFor(this->EffectsFound))
-  , Materials(MakeRoulettes(scene, this->OwnWalk, this->EffectsFound.colouredFacets))
-  , Workers(settings.threads)
-  , WorkerSums(static_cast<std::size_t>(ThreadCount(settings.threads)), this->EmptySums())
+  , Impl(std::make_unique<Implementation>(scene, lighting, this->EffectsFound, settings))
 {
   RequireIlluminanceInRange(scene, this->Flux());
+  this->Impl->workerSums.Fill(this->EmptySums());
+}
+
+PhotonTracer::~PhotonTracer() = default;
+
+double PhotonTracer::Flux() const
+{
+  return this->Impl->source.Flux();
 }
 
 IlluminationSums PhotonTracer::EmptySums() const
 {
   const std::size_t vertices = this->LitScene.Vertices().size();
-  const std::size_t lamps = this->Source.Lamps();
+  const std::size_t lamps = this->Impl->source.Lamps();
   return { vertices, this->Settings.registerBackSide, lamps,
     { vertices, this->EffectsFound.colour, this->Settings.lampsApart ? lamps : 0 } };
 }
@@ -92,7 +117,7 @@ std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp)
   PhotonSample sample({ this->Settings.seed, 0, this->Settings.sampling }, 0);
   for (std::uint64_t photon = 0; photon < Tries; ++photon, sample.Advance())
   {
-    const Emission emission = this->Source.Emit(sample);
+    const Emission emission = this->Impl->source.Emit(sample);
     if (emission.lamp != lamp)
     {
       continue;
@@ -106,8 +131,8 @@ std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp)
     const Facet& facet = this->LitScene.Facets()[hit.facet];
     const bool front = glm::dot(emission.ray.direction, facet.normal) < 0.0f ||
       this->LitScene.PreferFront(emission.ray, hit);
-    const bool translucent = !this->Materials.ofFacet.empty() &&
-      this->Materials.roulettes[this->Materials.ofFacet[hit.facet]].translucent;
+    const bool translucent = !this->Impl->materials.ofFacet.empty() &&
+      this->Impl->materials.roulettes[this->Impl->materials.ofFacet[hit.facet]].translucent;
     if (!front && !translucent)
     {
       return facet.vertices;
@@ -119,10 +144,10 @@ std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp)
 bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
   IlluminationSums& sums, const Monitor& monitor, LightLayers* layers)
 {
-  const WalkSettings walk{ this->LitScene, this->Materials, this->Source,
+  const WalkSettings walk{ this->LitScene, this->Impl->materials, this->Impl->source,
     { this->Settings.seed, replicate, this->Settings.sampling }, this->Settings.maximumPathLength,
     this->EffectsFound.simulated };
-  const BlockTracer traceBlock = CompiledWalk(this->OwnWalk,
+  const BlockTracer traceBlock = CompiledWalk(this->Impl->walk,
     this->Settings.mostGeneralWalk ? this->Settings.registration : this->EffectsFound.registration,
     this->Settings.registerBackSide);
   std::atomic<bool> goOn{ true };
@@ -131,7 +156,7 @@ bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint
 
   const auto work = [&](std::uint64_t begin, std::uint64_t end)
   {
-    IlluminationSums& own = this->WorkerSums.Own();
+    IlluminationSums& own = this->Impl->workerSums.Own();
     for (std::uint64_t block = begin; block < end && goOn; ++block)
     {
       traceBlock(
@@ -143,8 +168,8 @@ bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint
       }
     }
   };
-  this->Workers.Run([&] { ParallelFor(first, first + count, work); });
-  for (IlluminationSums& own : this->WorkerSums)
+  this->Impl->workers.Run([&] { ParallelFor(first, first + count, work); });
+  for (IlluminationSums& own : this->Impl->workerSums)
   {
     MoveInto(sums, layers ? *layers : sums.layers, own);
   }

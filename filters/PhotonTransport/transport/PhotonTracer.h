@@ -2,18 +2,15 @@
 #pragma once
 
 #include "PhotonTransport/effects/Effects.h"
-#include "PhotonTransport/lights/Emitter.h"
+#include "PhotonTransport/lights/Lamp.h"
 #include "PhotonTransport/registration/IlluminationSums.h"
 #include "PhotonTransport/scene/Scene.h"
-#include "PhotonTransport/scene/Threads.h"
 #include "PhotonTransport/transport/TraceSettings.h"
-#include "PhotonTransport/transport/Walk.h"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace PhotonTransport
 {
@@ -35,6 +32,7 @@ public:
   /// illuminances would leave the range of a double.
   /// @param scene Must outlive the tracer.
   PhotonTracer(const Scene& scene, const Lighting& lighting, const TraceSettings& settings);
+  ~PhotonTracer();
 
   /// Adds `count` blocks of a replicate, from block `first`, to `sums`. Stopped early, it adds the
   /// photons that were traced (sums.balance.emitted tells how many) and returns false.
@@ -45,7 +43,7 @@ public:
   /// Its layers are channels, where the scene calls for colour, and lamps, where the settings ask
   /// for them apart.
   IlluminationSums EmptySums() const;
-  double Flux() const { return this->Source.Flux(); }
+  double Flux() const;
   const Effects& EffectsInUse() const { return this->EffectsFound; }
 
   /// The corners of one facet on whose back light of a lamp first arrives, as an example for
@@ -53,15 +51,11 @@ public:
   std::optional<glm::uvec3> CornersLitFromBehind(std::uint32_t lamp) const;
 
 private:
+  struct Implementation;
   const Scene& LitScene;
   TraceSettings Settings;
   Effects EffectsFound;
-  Emitter Source;
-  Walk OwnWalk;
-  FacetRoulettes Materials;
-  Threads Workers;
-  /// Each thread has sums of its own: sharing one map by atomic additions costs 16 %.
-  PerThread<IlluminationSums> WorkerSums;
+  std::unique_ptr<Implementation> Impl;
 };
 
 } // namespace PhotonTransport
