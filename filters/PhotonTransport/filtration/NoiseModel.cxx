@@ -11,8 +11,6 @@ namespace PhotonTransport
 namespace
 {
 
-using Group = std::array<float, Groups>;
-
 /// 1 or -1 for each group, the same in every run.
 Group RandomSigns(std::uint32_t vertex)
 {
