@@ -19,6 +19,10 @@ function (illumination_install_package)
     NAMESPACE Illumination::
     FILE PhotonTransport-targets.cmake
     DESTINATION "${ILLUMINATION_CMAKE_DIR}")
+  # VTK exports its modules from the build tree too, and a static one with the core that it needs.
+  export(EXPORT PhotonTransport
+    NAMESPACE Illumination::
+    FILE "${CMAKE_BINARY_DIR}/${ILLUMINATION_CMAKE_DIR}/PhotonTransport-targets.cmake")
   configure_package_config_file(
     "${PROJECT_SOURCE_DIR}/cmake/IlluminationMapsConfig.cmake.in"
     "${CMAKE_CURRENT_BINARY_DIR}/IlluminationMapsConfig.cmake"

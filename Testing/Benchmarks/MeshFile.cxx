@@ -58,7 +58,7 @@ PhotonTransport::Surface ReadMesh(const std::string& fileName)
     surface.materialOfFacet.push_back(known->second);
     if (exitance)
     {
-      surface.exitance.push_back(static_cast<float>(exitance->GetComponent(f, 0)));
+      surface.exitance.emplace_back(exitance->GetComponent(f, 0));
     }
   }
   return surface;

@@ -151,12 +151,9 @@ TEST(Colour, ClosedRoomReflectsEachChannelByItself)
 TEST(Colour, FacetsShineInTheirOwn)
 {
   Surface room = ClosedRoom(Colour(0.0f));
-  room.exitance.assign(room.facets.size(), 0.0f);
-  room.exitanceColour.assign(room.facets.size(), Colour(0.0f)); // of dark facets: not looked at
-  room.exitance[0] = 300.0f;
-  room.exitanceColour[0] = { 5.0f, 0.0f, 0.0f };
-  room.exitance[20] = 100.0f;
-  room.exitanceColour[20] = { 0.0f, 0.0f, 0.1f };
+  room.exitance.assign(room.facets.size(), Colour(0.0f));
+  room.exitance[0].x = 300.0f / LuminousWeights.x; // 300 lm/m^2 of red
+  room.exitance[20].z = 100.0f / LuminousWeights.z;
   // Next to another lamp, so that facets are chosen within a share.
   Lighting lighting = EmittingFacets{};
   lighting.luminaires[0].colour = { 0.0f, 1.0f, 0.0f }; // facets have their own

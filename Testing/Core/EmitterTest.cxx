@@ -152,9 +152,9 @@ TEST(Emitter, RectangleIsAsWideAsTold)
 TEST(Emitter, FacetsShineByTheirFlux)
 {
   Surface box = Shapes::Box(glm::dvec3(-1.0), glm::dvec3(1.0), 1, Facing::Inward);
-  box.exitance.assign(box.facets.size(), 0.0f);
-  box.exitance[2] = 100.0f; // the two triangles of the top, 2 m^2 each
-  box.exitance[3] = 300.0f;
+  box.exitance.assign(box.facets.size(), Colour(0.0f));
+  box.exitance[2] = Colour(100.0f); // the two triangles of the top, 2 m^2 each
+  box.exitance[3] = Colour(300.0f);
   box.metresPerUnit = 1.0;
   const Scene scene(box);
   const Emitter emitter(EmittingFacets{}, scene);

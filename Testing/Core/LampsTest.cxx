@@ -164,13 +164,15 @@ TEST(EmittingMesh, HasTheFluxOfTheSameFacets)
 {
   Surface ball = Shapes::Icosphere(1, Facing::Outward);
   ball.metresPerUnit = 0.1;
+  std::vector<float> exitance;
   for (std::size_t f = 0; f < ball.facets.size(); ++f)
   {
-    ball.exitance.push_back(f % 3 == 0 ? 0.0f : static_cast<float>(f));
+    exitance.push_back(f % 3 == 0 ? 0.0f : static_cast<float>(f));
+    ball.exitance.emplace_back(exitance.back());
   }
   const Scene scene(ball);
   const Emitter facets(EmittingFacets{}, scene);
-  const Emitter mesh(EmittingMesh{ ball.points, ball.facets, ball.exitance }, scene);
+  const Emitter mesh(EmittingMesh{ ball.points, ball.facets, exitance }, scene);
   // Coordinates in single precision move an area by 8 roundings at most.
   EXPECT_NEAR(mesh.Flux(), facets.Flux(), 8.0 * 0x1p-24 * facets.Flux());
   // The same numbers choose the same place on the same facet, but for what keeps facets' rays from

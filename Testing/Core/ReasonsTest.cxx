@@ -129,10 +129,9 @@ TEST(Reasons, ColourIsForFacetsOrLampsThatHaveOne)
   ExpectReason(lamps, "colour: on, 0 of 12 triangles and 1 lamp have a colour");
 
   Surface shining = Cube({});
-  shining.exitance.assign(12, 1.0f);
-  shining.exitanceColour.assign(12, Colour(3.0f));
+  shining.exitance.assign(12, Colour(3.0f));
   EXPECT_FALSE(Analysed(shining).colour);
-  shining.exitanceColour[1] = { 1.0f, 2.0f, 3.0f };
+  shining.exitance[1] = { 1.0f, 2.0f, 3.0f };
   EXPECT_TRUE(Analysed(shining).colour);
 
   EffectSettings mono;

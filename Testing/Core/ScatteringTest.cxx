@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The roulette of a material.
 #include "PhotonTransport/materials/Scattering.h"
+#include "PhotonTransport/materials/MaterialProperties.h"
 
 #include "RandomNumbers.h"
 
@@ -122,15 +123,17 @@ TEST(Scattering, FatesOfASolidFollowTheShares)
 // At the ends and the borders of the numbers, too.
 TEST(Scattering, NoFateOfShareZeroIsTaken)
 {
-  constexpr Colour Material::*Shares[] = { &Material::diffuseReflectance,
-    &Material::specularReflectance, &Material::glossyReflectance, &Material::diffuseTransmittance,
-    &Material::clearTransmittance };
-  for (unsigned s = 0; s < 5; ++s)
+  for (const MaterialProperty& property : MaterialProperties)
   {
+    const auto* member = std::get_if<Colour Material::*>(&property.member);
+    if (!member)
+    {
+      continue;
+    }
     for (const float share : { 1e-30f, 1e-9f, 0.5f, LastFloat, 1.0f })
     {
       Material material;
-      material.*Shares[s] = Colour(share, 0.0f, share);
+      material.** member = Colour(share, 0.0f, share);
       material.roughness = 1e-3f;
       const Roulette roulette = MakeRoulette(material, true);
       const auto edge = static_cast<std::uint32_t>(std::min(share * 0x1p32, 0x1p32 - 1.0));
@@ -139,11 +142,13 @@ TEST(Scattering, NoFateOfShareZeroIsTaken)
         for (const float u : { 0.0f, 0.5f, LastFloat })
         {
           const ScatteringSample sample{ bits, u, u };
-          EXPECT_TRUE(Scattered(roulette, sample, Slanted, 1).absorbed) << s << ' ' << share;
+          EXPECT_TRUE(Scattered(roulette, sample, Slanted, 1).absorbed)
+            << property.name << ' ' << share;
           const Departure departure = Scattered(roulette, sample, Slanted, 0);
-          EXPECT_TRUE(departure.absorbed || static_cast<unsigned>(departure.how) == s)
-            << s << ' ' << share << ' ' << bits;
-          EXPECT_FALSE(share == 1.0f && departure.absorbed) << s << ' ' << bits << ' ' << u;
+          EXPECT_TRUE(departure.absorbed || SetOf(departure.how) == ScatteringsOf(material))
+            << property.name << ' ' << share << ' ' << bits;
+          EXPECT_FALSE(share == 1.0f && departure.absorbed)
+            << property.name << ' ' << bits << ' ' << u;
         }
       }
     }

@@ -66,12 +66,13 @@ TEST(Scene, RefusesBadInputByPlaceAndValue)
   expectReflectanceRefused(NaN, 6, "nan");
   ExpectRefused([](Surface& s) { s.points[7].y = NaN; }, Where::Point, 7, "not finite");
   ExpectRefused([](Surface& s) { s.facets[8].z = 12; }, Where::Facet, 8, "point 12 of 12");
-  ExpectRefused([](Surface& s) { s.exitance.assign(3, 1.0f); }, Where::Surface, 0, "3 exitances");
+  ExpectRefused(
+    [](Surface& s) { s.exitance.assign(3, Colour(1.0f)); }, Where::Surface, 0, "3 exitances");
   ExpectRefused(
     [](Surface& s)
     {
-      s.exitance.assign(20, 1.0f);
-      s.exitance[9] = -2.0f;
+      s.exitance.assign(20, Colour(1.0f));
+      s.exitance[9].y = -2.0f;
     },
     Where::Facet, 9, "-2");
   ExpectRefused(

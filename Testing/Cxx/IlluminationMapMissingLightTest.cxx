@@ -93,6 +93,13 @@ std::vector<Case> Cases()
   using Map = vtkIlluminationMap;
   const auto inside = [](Map* map) { Point(map, 2.0, 2.0, 2.0); };
   const auto overTable = [](Map* map) { Point(map, 0.0, 0.0, 1.0); };
+  const auto panelThroughCeiling = [](Map* map)
+  {
+    map->SetLampType(Map::RECTANGLE);
+    map->SetLampPosition(2.0, 2.0, 2.95);
+    map->SetLampDirection(0.25, 0.0, -1.0);
+    map->SetLampSize(1.0, 1.0);
+  };
   return {
     { "a lamp in a room", Room(true), inside, "" },
     { "a lamp in a room inside out", Room(false), inside, "fell on the backs of facets" },
@@ -143,24 +150,13 @@ std::vector<Case> Cases()
       },
       "of the scattered light that met the surface fell on backs" },
     { "a panel through the ceiling of a dark room", Room(true),
-      [](Map* map)
+      [=](Map* map)
       {
-        map->SetLampType(Map::RECTANGLE);
-        map->SetLampPosition(2.0, 2.0, 2.95);
-        map->SetLampDirection(0.25, 0.0, -1.0);
-        map->SetLampSize(1.0, 1.0);
+        panelThroughCeiling(map);
         map->SetReflectance(0.0);
       },
       "of the lamp" },
-    { "the same, in a room that scatters", Room(true),
-      [](Map* map)
-      {
-        map->SetLampType(Map::RECTANGLE);
-        map->SetLampPosition(2.0, 2.0, 2.95);
-        map->SetLampDirection(0.25, 0.0, -1.0);
-        map->SetLampSize(1.0, 1.0);
-      },
-      "of the lamp" },
+    { "the same, in a room that scatters", Room(true), panelThroughCeiling, "of the lamp" },
     { "light along a table", Table(), [](Map* map) { map->SetLampDirection(1.0, 0.0, 0.0); },
       "met no facet" },
     { "a table from below", Table(), [](Map* map) { map->SetLampDirection(0.0, 0.0, 1.0); },

@@ -276,8 +276,7 @@ TEST(LuminaireSource, PhotometricFileComesBack)
 TEST(LuminaireSource, FarAwayIsFinite)
 {
   const std::string path = WriteIes();
-  for (int type = vtkLuminaireSource::PARALLEL; type <= vtkLuminaireSource::PHOTOMETRIC_FILE;
-       ++type)
+  for (int type = vtkLuminaireSource::PARALLEL; type < vtkLuminaireSource::NUMBER_OF_TYPES; ++type)
   {
     auto source = Source(type);
     source->SetPosition(1e200, -1e200, 0.0);

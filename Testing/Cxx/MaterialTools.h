@@ -4,6 +4,8 @@
 #include "Messages.h"
 #include "OutputData.h"
 
+#include "PhotonTransport/materials/MaterialProperties.h"
+
 #include "vtkSurfaceMaterial.h"
 
 #include "vtkCellData.h"
@@ -16,13 +18,9 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
-
-inline const std::vector<std::string> ColourNames{ "DiffuseReflectance", "SpecularReflectance",
-  "GlossyReflectance", "DiffuseTransmittance", "ClearTransmittance" };
-inline const std::vector<std::string> NumberNames{ "Roughness", "RefractiveIndex", "SolidBody" };
 
 /// Four cells.
 inline vtkSmartPointer<vtkPolyData> Plane()
@@ -57,20 +55,15 @@ inline double Value(
 
 inline bool HasMaterial(vtkPolyData* data)
 {
-  for (const auto& [names, components] :
-    { std::make_pair(ColourNames, 3), std::make_pair(NumberNames, 1) })
-  {
-    for (const std::string& name : names)
+  using namespace PhotonTransport;
+  return std::all_of(MaterialProperties.begin(), MaterialProperties.end(),
+    [&](const MaterialProperty& property)
     {
-      vtkDataArray* array = data->GetCellData()->GetArray(name.c_str());
-      if (!vtkFloatArray::SafeDownCast(array) || array->GetNumberOfComponents() != components ||
-        array->GetNumberOfTuples() != data->GetNumberOfCells())
-      {
-        return false;
-      }
-    }
-  }
-  return true;
+      vtkDataArray* array = data->GetCellData()->GetArray(property.name);
+      return vtkFloatArray::SafeDownCast(array) &&
+        array->GetNumberOfComponents() == ComponentsOf(property) &&
+        array->GetNumberOfTuples() == data->GetNumberOfCells();
+    });
 }
 
 inline vtkPolyData* Leaf(vtkSurfaceMaterial* filter, unsigned int flatIndex)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The luminaire's proxy: defaults, documentation, choices, and a lamp that arrives as it is set."""
+import os
+
 import proxies
 from paraview import servermanager, simple
 from vtkIllumination import vtkLuminaireSource
@@ -38,9 +40,49 @@ def test_defaults_of_proxy_and_class_agree():
 def test_choices_are_those_of_the_class():
     types = list(Luminaire().GetProperty("Type").Available)
     names = [text.upper().replace(" ", "_") for text in types]
-    assert [getattr(vtkLuminaireSource, name) for name in names] == list(range(11)), types
+    assert [getattr(vtkLuminaireSource, name) for name in names] == list(range(vtkLuminaireSource.NUMBER_OF_TYPES)), types
     skies = list(Luminaire().GetProperty("SkyType").Available)
     assert [int(text.split()[0]) for text in skies] == list(range(1, 17)), skies
+
+
+# The properties behind each of a lamp's field arrays.
+PROPERTIES_OF = {
+    "LuminaireDirection": {"Direction"},
+    "LuminaireSize": {"Size"},
+    "LuminousFlux": {"LuminousFlux"},
+    "LuminaireIlluminance": {"Illuminance"},
+    "SpotHalfAngle": {"SpotHalfAngle"},
+    "SpotExponent": {"SpotExponent"},
+    "SkyLuminance": {"Illuminance"},
+    "SkyType": {"SkyType"},
+    "SunDirection": {"SunAltitude", "SunAzimuth"},
+    "LuminaireRotation": {"Rotation"},
+    "PhotometricType": {"FileName"},
+}
+
+
+def shown(proxy, name, number):
+    """Whether the panel shows a property of the lamp for the type of this number."""
+    hints = proxy.GetProperty(name).SMProperty.GetHints()
+    decorator = hints and hints.FindNestedElementByName("PropertyWidgetDecorator")
+    if not decorator:
+        return True
+    assert decorator.GetAttribute("property") == "Type", name
+    types = decorator.GetAttribute("values") or decorator.GetAttribute("value")
+    return str(number) in types.split()
+
+
+def test_the_panel_shows_what_a_type_uses():
+    folder = os.path.dirname(os.path.abspath(__file__))
+    proxy = Luminaire(FileName=os.path.join(folder, "..", "Data", "photometry", "isotropic.ies"))
+    ours = set().union(*PROPERTIES_OF.values())
+    for number, text in enumerate(proxy.GetProperty("Type").Available):
+        proxy.Type = text
+        proxy.UpdatePipeline()
+        fields = servermanager.Fetch(proxy).GetFieldData()
+        assert fields.HasArray("LuminaireType"), text
+        used = set().union(*(names for array, names in PROPERTIES_OF.items() if fields.HasArray(array)))
+        assert {name for name in ours if shown(proxy, name, number)} == used, (text, used)
 
 
 def test_the_lamp_arrives_as_it_is_set():
@@ -58,7 +100,7 @@ def test_choices_are_set_by_number_too():
     proxy = Luminaire(Type=9, SkyType=12)
     proxy.UpdateVTKObjects()
     assert proxy.Type == "CIE Sky" and proxy.GetClientSideObject().GetSkyType() == 12
-    for name, choices in (("Type", range(11)), ("SkyType", range(1, 17))):
+    for name, choices in (("Type", range(vtkLuminaireSource.NUMBER_OF_TYPES)), ("SkyType", range(1, 17))):
         for number in choices:
             setattr(proxy, name, number)
             proxy.UpdateVTKObjects()

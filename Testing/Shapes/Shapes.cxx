@@ -292,9 +292,9 @@ Surface Together(Surface a, const Surface& b)
   const bool emits = !a.exitance.empty() || !b.exitance.empty();
   if (emits)
   {
-    a.exitance.resize(a.facets.size(), 0.0f);
+    a.exitance.resize(a.facets.size(), PhotonTransport::Colour(0.0f));
     a.exitance.insert(a.exitance.end(), b.exitance.begin(), b.exitance.end());
-    a.exitance.resize(a.facets.size() + b.facets.size(), 0.0f);
+    a.exitance.resize(a.facets.size() + b.facets.size(), PhotonTransport::Colour(0.0f));
   }
   a.points.insert(a.points.end(), b.points.begin(), b.points.end());
   a.normals.insert(a.normals.end(), b.normals.begin(), b.normals.end());
@@ -322,7 +322,7 @@ Surface WithReflectance(Surface surface, float reflectance)
 
 Surface WithExitance(Surface surface, float exitance)
 {
-  surface.exitance.assign(surface.facets.size(), exitance);
+  surface.exitance.assign(surface.facets.size(), PhotonTransport::Colour(exitance));
   return surface;
 }
 

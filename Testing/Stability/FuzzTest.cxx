@@ -174,34 +174,21 @@ struct Enlarge
   double factor;
 
   template <class AnyLamp>
-  void operator()(AnyLamp&) const
+  void operator()(AnyLamp& lamp) const
   {
+    Similarity motion;
+    motion.isNone = false;
+    motion.scale = this->factor;
+    lamp.Move(motion);
   }
-  void operator()(PointLamp& lamp) const { lamp.position *= this->factor; }
-  void operator()(LambertianPointLamp& lamp) const { lamp.position *= this->factor; }
-  void operator()(SpotLamp& lamp) const { lamp.position *= this->factor; }
+  /// A motion would also say which way the width runs, in bits of its own.
   void operator()(RectangleLamp& lamp) const
   {
     lamp.centre *= this->factor;
     lamp.width *= this->factor;
     lamp.height *= this->factor;
   }
-  void operator()(DiskLamp& lamp) const
-  {
-    lamp.centre *= this->factor;
-    lamp.radius *= this->factor;
-  }
-  void operator()(SphereLamp& lamp) const
-  {
-    lamp.centre *= this->factor;
-    lamp.radius *= this->factor;
-  }
-  void operator()(LineLamp& lamp) const
-  {
-    lamp.centre *= this->factor;
-    lamp.length *= this->factor;
-  }
-  void operator()(PhotometricLamp& lamp) const { lamp.position *= this->factor; }
+  /// A mesh does not move with a motion, since its points have moved already.
   void operator()(EmittingMesh& lamp) const
   {
     for (glm::dvec3& point : lamp.points)

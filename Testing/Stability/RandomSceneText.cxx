@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RandomScene.h"
 
+#include "PhotonTransport/materials/MaterialProperties.h"
+
 #include <limits>
 #include <ostream>
 
@@ -23,64 +25,49 @@ std::ostream& operator<<(std::ostream& out, const std::vector<double>& values)
   return out;
 }
 
-void Describe(std::ostream& out, const Material& m)
+void Describe(std::ostream& out, const Material& material)
 {
-  out << "diffuse " << glm::dvec3(m.diffuseReflectance) << " specular "
-      << glm::dvec3(m.specularReflectance) << " glossy " << glm::dvec3(m.glossyReflectance)
-      << " through " << glm::dvec3(m.diffuseTransmittance) << " clear "
-      << glm::dvec3(m.clearTransmittance) << " roughness " << m.roughness << " index "
-      << m.refractiveIndex << (m.solid ? " solid" : " pane");
+  const MaterialValues values = ValuesOf(material);
+  for (std::size_t p = 0; p < MaterialProperties.size(); ++p)
+  {
+    out << ' ' << MaterialProperties[p].name;
+    for (int c = 0; c < ComponentsOf(MaterialProperties[p]); ++c)
+    {
+      out << ' ' << values[3 * p + static_cast<std::size_t>(c)];
+    }
+  }
 }
+
+/// Writes the values that describe a lamp; see LampKind.h.
+struct WriteFields
+{
+  std::ostream& out;
+
+  template <typename Value, typename... Range>
+  void operator()(const char* name, const Value& value, const Range&...) const
+  {
+    this->out << ' ' << name << ' ' << value;
+  }
+  void operator()(const char* name, const glm::dvec2& v) const
+  {
+    this->out << ' ' << name << " (" << v.x << ", " << v.y << ')';
+  }
+  void operator()(const char*, const PhotometricSolid& solid) const
+  {
+    this->out << " type " << static_cast<int>(solid.type) << ", polar" << solid.polar << ", azimuth"
+              << solid.azimuth << ", candela" << solid.candela;
+  }
+};
 
 struct DescribeLamp
 {
   std::ostream& out;
-  void operator()(const ParallelLight& l) const
+
+  template <class AnyLamp>
+  void operator()(AnyLamp lamp) const
   {
-    out << "parallel " << l.direction << ' ' << l.illuminance << " lx";
-  }
-  void operator()(const PointLamp& l) const { out << "point " << l.position << ' ' << l.flux; }
-  void operator()(const LambertianPointLamp& l) const
-  {
-    out << "Lambertian " << l.position << ' ' << l.direction << ' ' << l.flux;
-  }
-  void operator()(const SpotLamp& l) const
-  {
-    out << "spot " << l.position << ' ' << l.direction << ' ' << l.halfAngle << " rad, exponent "
-        << l.exponent << ' ' << l.flux;
-  }
-  void operator()(const RectangleLamp& l) const
-  {
-    out << "rectangle " << l.centre << ' ' << l.direction << ' ' << l.width << " x " << l.height
-        << ' ' << l.flux;
-  }
-  void operator()(const DiskLamp& l) const
-  {
-    out << "disk " << l.centre << ' ' << l.direction << ' ' << l.radius << ' ' << l.flux;
-  }
-  void operator()(const EmittingFacets&) const { out << "facets"; }
-  void operator()(const UniformSky& l) const
-  {
-    out << "sky " << l.up << ' ' << l.luminance << (l.wholeSphere ? " whole" : " half");
-  }
-  void operator()(const CieSky& l) const
-  {
-    out << "CIE sky " << l.type << ' ' << l.up << " sun " << l.sun << ' ' << l.horizontalIlluminance
-        << " lx";
-  }
-  void operator()(const SphereLamp& l) const
-  {
-    out << "sphere " << l.centre << ' ' << l.radius << ' ' << l.flux;
-  }
-  void operator()(const LineLamp& l) const
-  {
-    out << "line " << l.centre << ' ' << l.axis << ' ' << l.length << ' ' << l.flux;
-  }
-  void operator()(const PhotometricLamp& l) const
-  {
-    out << "photometric " << l.position << ' ' << l.direction << " turned " << l.rotation
-        << " times " << l.scale << " type " << static_cast<int>(l.solid.type) << ", polar"
-        << l.solid.polar << ", azimuth" << l.solid.azimuth << ", candela" << l.solid.candela;
+    this->out << (AnyLamp::Name ? AnyLamp::Name : "facets");
+    lamp.Describe(WriteFields{ this->out });
   }
   void operator()(const EmittingMesh& l) const
   {
@@ -120,16 +107,12 @@ std::ostream& operator<<(std::ostream& out, const RandomScene& scene)
     }
     if (!surface.exitance.empty())
     {
-      out << " exitance " << surface.exitance[f];
-    }
-    if (!surface.exitanceColour.empty())
-    {
-      out << " of colour " << glm::dvec3(surface.exitanceColour[f]);
+      out << " exitance " << glm::dvec3(surface.exitance[f]);
     }
   }
   for (const Material& material : surface.materials)
   {
-    out << "\n  material ";
+    out << "\n  material";
     Describe(out, material);
   }
   out << "\n  " << surface.metresPerUnit << " m per unit";

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RandomChoices.h"
 
+#include "PhotonTransport/materials/MaterialProperties.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -42,16 +44,23 @@ float ShareOf(double& rest)
 Material DrawMaterial()
 {
   Material material;
-  Colour* shares[] = { &material.diffuseReflectance, &material.specularReflectance,
-    &material.glossyReflectance, &material.diffuseTransmittance, &material.clearTransmittance };
+  std::vector<Colour*> shares;
+  for (const MaterialProperty& property : MaterialProperties)
+  {
+    if (const auto* share = std::get_if<Colour Material::*>(&property.member))
+    {
+      shares.push_back(&(material.**share));
+    }
+  }
   const bool grey = OneIn(2);
-  const int first = Below(5); // takes what it wants; the others have the rest
+  // The first takes what it wants; the others have the rest.
+  const auto first = static_cast<std::size_t>(Below(static_cast<int>(shares.size())));
   for (int channel = 0; channel < (grey ? 1 : 3); ++channel)
   {
     double rest = 1.0;
-    for (int s = 0; s < 5; ++s)
+    for (std::size_t s = 0; s < shares.size(); ++s)
     {
-      (*shares[(first + s) % 5])[channel] = ShareOf(rest);
+      (*shares[(first + s) % shares.size()])[channel] = ShareOf(rest);
     }
   }
   for (Colour* share : shares)
@@ -83,8 +92,8 @@ void DrawLightOfFacets(Surface& surface, bool emits)
     surface.materialOfFacet.push_back(static_cast<std::uint32_t>(Below(materials)));
     if (coloured)
     {
-      surface.exitanceColour.emplace_back(
-        OneOf({ 1.0f, 0.0f, 1e-40f, 1e30f }), OneOf({ 1.0f, 0.0f, 0.3f }), OneOf({ 1.0f, 0.0f }));
+      surface.exitance[f] *= Colour(
+        OneOf({ 1.0f, 0.0f, 1e-40f, 1e20f }), OneOf({ 1.0f, 0.0f, 0.3f }), OneOf({ 1.0f, 0.0f }));
     }
   }
 }
@@ -146,7 +155,7 @@ Surface DrawSurface(const Site& site)
     surface.facets.emplace_back(a, b, c);
     if (emits)
     {
-      surface.exitance.push_back(OneOf({ 0.0f, 1e-12f, 100.0f, 1e12f }));
+      surface.exitance.emplace_back(OneOf({ 0.0f, 1e-12f, 100.0f, 1e12f }));
     }
   }
   DrawLightOfFacets(surface, emits);
@@ -158,7 +167,7 @@ void SpoilSurface(RandomScene& scene)
 {
   Surface& surface = scene.surface;
   const auto f = static_cast<std::size_t>(Below(static_cast<int>(surface.facets.size())));
-  switch (Below(9))
+  switch (Below(8))
   {
     case 0:
       surface.facets[f].y = OneIn(2) ? static_cast<unsigned>(surface.points.size()) : 0xffffffffu;
@@ -175,8 +184,8 @@ void SpoilSurface(RandomScene& scene)
       scene.mistake = "it must be within [0, 1]";
       break;
     case 3:
-      surface.exitance.assign(surface.facets.size(), 1.0f);
-      surface.exitance[f] = static_cast<float>(OneOf({ NoNumber, Infinity, -1.0 }));
+      surface.exitance.assign(surface.facets.size(), Colour(1.0f));
+      surface.exitance[f][Below(3)] = static_cast<float>(OneOf({ NoNumber, Infinity, -1.0 }));
       scene.mistake = "is not a finite number >= 0";
       break;
     case 4:
@@ -190,11 +199,6 @@ void SpoilSurface(RandomScene& scene)
       surface.materials.resize(1);
       surface.materialOfFacet.resize(surface.facets.size() - 1);
       scene.mistake = "indices of materials for";
-      break;
-    case 7:
-      surface.exitanceColour.assign(surface.facets.size(), Colour(1.0f));
-      surface.exitanceColour[f].z = static_cast<float>(OneOf({ NoNumber, Infinity, -1.0 }));
-      scene.mistake = "is not a finite number >= 0";
       break;
     default:
       surface.normals.pop_back();

@@ -181,62 +181,29 @@ void vtkIlluminationMap::WithoutResult(vtkInformationVector* outputs)
 void vtkIlluminationMap::Execute(
   vtkDataObject* input, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkDataObject* output = vtkDataObject::GetData(outputs);
   const Luminaires luminaires = LuminaireInputs(inputs[1]);
-  const SceneBlocks blocks(output, this->DescribeSurface(!luminaires.empty()));
+  const SceneBlocks blocks(
+    vtkDataObject::GetData(outputs), this->DescribeSurface(!luminaires.empty()));
   const PhotonTransport::Lighting lighting = this->MakeLighting(luminaires);
+  Origins origins{ this->RunChanged, LatestChange(input) };
+  for (const LuminaireInput& luminaire : luminaires)
+  {
+    origins.push_back(LatestChange(luminaire.data));
+  }
   try
   {
     const PhotonTransport::StopRules rules = this->MakeStopRules();
     Validate(rules);
-    const PhotonTransport::TraceSettings settings = this->MakeTraceSettings();
-    Validate(settings);
-    const std::uint64_t forGroups = this->GroupMeans ? PhotonTransport::GroupMeansPerVertex : 0;
-    const std::uint64_t need = PhotonTransport::MemoryNeed(blocks.Surface(), lighting, settings) +
-      blocks.Surface().points.size() * forGroups;
-    const std::uint64_t memoryLimit = this->MemoryLimitInBytes();
-    Origins origins{ this->RunChanged, LatestChange(input) };
-    for (const LuminaireInput& luminaire : luminaires)
-    {
-      origins.push_back(LatestChange(luminaire.data));
-    }
-    if (!this->Kept || this->Kept->MadeFrom != origins || !this->Kept->Run.CanGoOnTo(rules.photons))
-    {
-      this->Kept.reset(); // first, so that two never share the memory
-      PhotonTransport::RequireMemory(need, memoryLimit);
-      const std::string text =
-        "Building the scene, up to " + std::to_string(need >> 20) + " MiB of memory";
-      this->SetProgressText(text.c_str());
-      this->UpdateProgress(0.0);
-      this->Kept = std::make_unique<KeptRun>(blocks, lighting, settings, std::move(origins));
-    }
-    PhotonTransport::IlluminationRun& run = this->Kept->Run;
-    const PhotonTransport::StopReason reason = run.Advance(rules,
+    const std::uint64_t need =
+      this->PrepareRun(blocks, lighting, std::move(origins), rules.photons);
+    const PhotonTransport::StopReason reason = this->Kept->Run.Advance(rules,
       [report = ProgressReport(this)](const PhotonTransport::RunProgress& progress) mutable
       {
         return report(progress.fraction,
           "Tracing photons, " + std::to_string(std::lround(progress.secondsLeft)) + " s left");
       });
-
-    AddPointArrays(blocks, this->Kept->Scene, run,
-      { this->RegisterBackSide, this->GroupMeans, this->LampContributions ? &lighting : nullptr });
-    const MissingLight missing = FindMissingLight(
-      { blocks, lighting, run, this->RegisterBackSide, this->MetresPerUnit }, reason);
-    std::vector<std::string> notes = NotesOn(blocks, this->Kept->Scene);
-    notes.insert(notes.end(), missing.notes.begin(), missing.notes.end());
-    const std::vector<std::string> onFiles = NotesOn(lighting);
-    notes.insert(notes.end(), onFiles.begin(), onFiles.end());
-    AddFieldData(output->GetFieldData(), run, reason, notes);
-    AddMemoryNeeded(output->GetFieldData(), need);
-    FillAccuracyTable(vtkTable::GetData(outputs, 1), run.Rounds());
-    for (const std::string& warning : WarningsOn(blocks, this->Kept->Scene))
-    {
-      vtkWarningMacro(<< warning);
-    }
-    if (!missing.warning.empty())
-    {
-      vtkWarningMacro(<< missing.warning);
-    }
+    this->WriteMap(blocks, lighting, reason, outputs);
+    AddMemoryNeeded(vtkDataObject::GetData(outputs)->GetFieldData(), need);
   }
   catch (const std::bad_alloc&)
   {
@@ -249,50 +216,50 @@ void vtkIlluminationMap::Execute(
   }
 }
 
-void vtkIlluminationMap::PrintSelf(ostream& os, vtkIndent indent)
+std::uint64_t vtkIlluminationMap::PrepareRun(const SceneBlocks& blocks,
+  const PhotonTransport::Lighting& lighting, std::vector<vtkMTimeType> origins,
+  std::uint64_t photons)
 {
-  this->Superclass::PrintSelf(os, indent);
-  const auto vector = [](const double* v)
-  { return std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " + std::to_string(v[2]); };
-  os << indent << "LampType: " << this->LampType << "\n"
-     << indent << "LampPosition: " << vector(this->LampPosition) << "\n"
-     << indent << "LampDirection: " << vector(this->LampDirection) << "\n"
-     << indent << "LampSize: " << this->LampSize[0] << ", " << this->LampSize[1] << "\n"
-     << indent << "SpotHalfAngle: " << this->SpotHalfAngle << "\n"
-     << indent << "SpotExponent: " << this->SpotExponent << "\n"
-     << indent << "LuminousFlux: " << this->LuminousFlux << "\n"
-     << indent << "ParallelIlluminance: " << this->ParallelIlluminance << "\n"
-     << indent << "Reflectance: " << this->Reflectance << "\n"
-     << indent << "SpecularReflectance: " << this->SpecularReflectance << "\n"
-     << indent << "GlossyReflectance: " << this->GlossyReflectance << "\n"
-     << indent << "Roughness: " << this->Roughness << "\n"
-     << indent << "DiffuseTransmittance: " << this->DiffuseTransmittance << "\n"
-     << indent << "ClearTransmittance: " << this->ClearTransmittance << "\n"
-     << indent << "RefractiveIndex: " << this->RefractiveIndex << "\n"
-     << indent << "SolidBody: " << this->SolidBody << "\n"
-     << indent << "UseMaterialArrays: " << this->UseMaterialArrays << "\n"
-     << indent << "ReflectanceArray: " << this->ReflectanceArray << "\n"
-     << indent << "ExitanceArray: " << this->ExitanceArray << "\n"
-     << indent << "Registration: " << this->Registration << "\n"
-     << indent << "Photons: " << this->Photons << "\n"
-     << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"
-     << indent << "TimeLimit: " << this->TimeLimit << "\n"
-     << indent << "Seed: " << this->Seed << "\n"
-     << indent << "Sampling: " << this->Sampling << "\n"
-     << indent << "Interreflection: " << this->Interreflection << "\n"
-     << indent << "SpecularReflection: " << this->SpecularReflection << "\n"
-     << indent << "GlossyReflection: " << this->GlossyReflection << "\n"
-     << indent << "DiffuseTransmission: " << this->DiffuseTransmission << "\n"
-     << indent << "ClearTransmission: " << this->ClearTransmission << "\n"
-     << indent << "Refraction: " << this->Refraction << "\n"
-     << indent << "Colour: " << this->Colour << "\n"
-     << indent << "LampContributions: " << this->LampContributions << "\n"
-     << indent << "RegisterBackSide: " << this->RegisterBackSide << "\n"
-     << indent << "GroupMeans: " << this->GroupMeans << "\n"
-     << indent << "MetresPerUnit: " << this->MetresPerUnit << "\n"
-     << indent << "FeatureAngle: " << this->FeatureAngle << "\n"
-     << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n"
-     << indent << "WeightBound: " << this->WeightBound << "\n"
-     << indent << "MaximumPathLength: " << this->MaximumPathLength << "\n"
-     << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  const PhotonTransport::TraceSettings settings = this->MakeTraceSettings();
+  Validate(settings);
+  const std::uint64_t forGroups = this->GroupMeans ? PhotonTransport::GroupMeansPerVertex : 0;
+  const std::uint64_t need = PhotonTransport::MemoryNeed(blocks.Surface(), lighting, settings) +
+    blocks.Surface().points.size() * forGroups;
+  const std::uint64_t memoryLimit = this->MemoryLimitInBytes();
+  if (!this->Kept || this->Kept->MadeFrom != origins || !this->Kept->Run.CanGoOnTo(photons))
+  {
+    this->Kept.reset(); // first, so that two never share the memory
+    PhotonTransport::RequireMemory(need, memoryLimit);
+    const std::string text =
+      "Building the scene, up to " + std::to_string(need >> 20) + " MiB of memory";
+    this->SetProgressText(text.c_str());
+    this->UpdateProgress(0.0);
+    this->Kept = std::make_unique<KeptRun>(blocks, lighting, settings, std::move(origins));
+  }
+  return need;
+}
+
+void vtkIlluminationMap::WriteMap(const SceneBlocks& blocks,
+  const PhotonTransport::Lighting& lighting, PhotonTransport::StopReason reason,
+  vtkInformationVector* outputs)
+{
+  const PhotonTransport::IlluminationRun& run = this->Kept->Run;
+  AddPointArrays(blocks, this->Kept->Scene, run,
+    { this->RegisterBackSide, this->GroupMeans, this->LampContributions ? &lighting : nullptr });
+  const MissingLight missing = FindMissingLight(
+    { blocks, lighting, run, this->RegisterBackSide, this->MetresPerUnit }, reason);
+  std::vector<std::string> notes = NotesOn(blocks, this->Kept->Scene);
+  notes.insert(notes.end(), missing.notes.begin(), missing.notes.end());
+  const std::vector<std::string> onFiles = NotesOn(lighting);
+  notes.insert(notes.end(), onFiles.begin(), onFiles.end());
+  AddFieldData(vtkDataObject::GetData(outputs)->GetFieldData(), run, reason, notes);
+  FillAccuracyTable(vtkTable::GetData(outputs, 1), run.Rounds());
+  for (const std::string& warning : WarningsOn(blocks, this->Kept->Scene))
+  {
+    vtkWarningMacro(<< warning);
+  }
+  if (!missing.warning.empty())
+  {
+    vtkWarningMacro(<< missing.warning);
+  }
 }

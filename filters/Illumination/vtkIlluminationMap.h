@@ -77,6 +77,7 @@ class vtkTable;
 
 namespace Illumination
 {
+class SceneBlocks;
 struct LuminaireInput;
 struct SurfaceDescription;
 }
@@ -86,6 +87,7 @@ namespace PhotonTransport
 struct Lighting;
 struct StopRules;
 struct TraceSettings;
+enum class StopReason : int;
 }
 
 class VTKILLUMINATION_EXPORT vtkIlluminationMap : public vtkSurfaceAlgorithm
@@ -564,6 +566,15 @@ private:
   PhotonTransport::StopRules MakeStopRules();
   Illumination::SurfaceDescription DescribeSurface(bool otherLamps);
   std::uint64_t MemoryLimitInBytes(); ///< 0 for what the machine has.
+
+  /// Builds the scene and a run on it, unless the kept run can go on to so many photons.
+  /// @param origins When data and filter last changed. @return Bytes that the run takes at most.
+  std::uint64_t PrepareRun(const Illumination::SceneBlocks& blocks,
+    const PhotonTransport::Lighting& lighting, std::vector<vtkMTimeType> origins,
+    std::uint64_t photons);
+  /// Puts what the kept run has found into the outputs, and warns of what is amiss.
+  void WriteMap(const Illumination::SceneBlocks& blocks, const PhotonTransport::Lighting& lighting,
+    PhotonTransport::StopReason reason, vtkInformationVector* outputs);
 
   template <typename Value>
   void SetAndKeepRun(Value& property, Value value)

@@ -138,6 +138,7 @@ PhotonTransport::Luminaire LuminaireOf(const LuminaireInput& input)
   return *std::move(luminaire);
 }
 
+/// All ways of scattering but those that are switched off. One that has no switch is on.
 PhotonTransport::ScatteringSet SwitchedOn(vtkIlluminationMap* filter)
 {
   using PhotonTransport::Scattering;
@@ -148,10 +149,10 @@ PhotonTransport::ScatteringSet SwitchedOn(vtkIlluminationMap* filter)
     { Scattering::DiffuseTransmission, filter->GetDiffuseTransmission() },
     { Scattering::ClearTransmission, filter->GetClearTransmission() },
     { Scattering::Refraction, filter->GetRefraction() } };
-  PhotonTransport::ScatteringSet set = 0;
+  PhotonTransport::ScatteringSet set = PhotonTransport::AllScatterings;
   for (const auto& [scattering, on] : switches)
   {
-    set |= on ? SetOf(scattering) : 0u;
+    set &= on ? set : ~SetOf(scattering);
   }
   return set;
 }
@@ -240,4 +241,52 @@ SurfaceDescription vtkIlluminationMap::DescribeSurface(bool otherLamps)
     throw InputError("FeatureAngle is nan; it must be within [0, 180] degrees");
   }
   return description;
+}
+
+void vtkIlluminationMap::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto vector = [](const double* v)
+  { return std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " + std::to_string(v[2]); };
+  os << indent << "LampType: " << this->LampType << "\n"
+     << indent << "LampPosition: " << vector(this->LampPosition) << "\n"
+     << indent << "LampDirection: " << vector(this->LampDirection) << "\n"
+     << indent << "LampSize: " << this->LampSize[0] << ", " << this->LampSize[1] << "\n"
+     << indent << "SpotHalfAngle: " << this->SpotHalfAngle << "\n"
+     << indent << "SpotExponent: " << this->SpotExponent << "\n"
+     << indent << "LuminousFlux: " << this->LuminousFlux << "\n"
+     << indent << "ParallelIlluminance: " << this->ParallelIlluminance << "\n"
+     << indent << "Reflectance: " << this->Reflectance << "\n"
+     << indent << "SpecularReflectance: " << this->SpecularReflectance << "\n"
+     << indent << "GlossyReflectance: " << this->GlossyReflectance << "\n"
+     << indent << "Roughness: " << this->Roughness << "\n"
+     << indent << "DiffuseTransmittance: " << this->DiffuseTransmittance << "\n"
+     << indent << "ClearTransmittance: " << this->ClearTransmittance << "\n"
+     << indent << "RefractiveIndex: " << this->RefractiveIndex << "\n"
+     << indent << "SolidBody: " << this->SolidBody << "\n"
+     << indent << "UseMaterialArrays: " << this->UseMaterialArrays << "\n"
+     << indent << "ReflectanceArray: " << this->ReflectanceArray << "\n"
+     << indent << "ExitanceArray: " << this->ExitanceArray << "\n"
+     << indent << "Registration: " << this->Registration << "\n"
+     << indent << "Photons: " << this->Photons << "\n"
+     << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"
+     << indent << "TimeLimit: " << this->TimeLimit << "\n"
+     << indent << "Seed: " << this->Seed << "\n"
+     << indent << "Sampling: " << this->Sampling << "\n"
+     << indent << "Interreflection: " << this->Interreflection << "\n"
+     << indent << "SpecularReflection: " << this->SpecularReflection << "\n"
+     << indent << "GlossyReflection: " << this->GlossyReflection << "\n"
+     << indent << "DiffuseTransmission: " << this->DiffuseTransmission << "\n"
+     << indent << "ClearTransmission: " << this->ClearTransmission << "\n"
+     << indent << "Refraction: " << this->Refraction << "\n"
+     << indent << "Colour: " << this->Colour << "\n"
+     << indent << "LampContributions: " << this->LampContributions << "\n"
+     << indent << "RegisterBackSide: " << this->RegisterBackSide << "\n"
+     << indent << "GroupMeans: " << this->GroupMeans << "\n"
+     << indent << "MetresPerUnit: " << this->MetresPerUnit << "\n"
+     << indent << "FeatureAngle: " << this->FeatureAngle << "\n"
+     << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n"
+     << indent << "WeightBound: " << this->WeightBound << "\n"
+     << indent << "MaximumPathLength: " << this->MaximumPathLength << "\n"
+     << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

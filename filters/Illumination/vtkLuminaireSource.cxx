@@ -179,11 +179,10 @@ PhotometricSolid SolidOf(vtkLuminaireSource* source)
   }
 }
 
-// The types are the kinds of lamps, but for those of surfaces.
-static_assert(std::is_same_v<std::variant_alternative_t<vtkLuminaireSource::PHOTOMETRIC_FILE, Lamp>,
-                PhotometricLamp> &&
-  std::is_same_v<std::variant_alternative_t<vtkLuminaireSource::PHOTOMETRIC_FILE + 1, Lamp>,
-    EmittingFacets>);
+// The types are the kinds of lamps in their order, without those of surfaces, which come last.
+static_assert(std::is_same_v<std::variant_alternative_t<vtkLuminaireSource::NUMBER_OF_TYPES, Lamp>,
+                EmittingFacets>,
+  "vtkLuminaireSource::Types has one type for each kind of lamp");
 
 Lamp LampOf(vtkLuminaireSource* s)
 {

@@ -70,14 +70,15 @@ public:
     LINE = 7,             ///< A thin diffuse tube: intensity as the sine of the angle to its axis.
     UNIFORM_SKY = 8,      ///< The same luminance from everywhere above the horizon.
     CIE_SKY = 9, ///< The sky of SkyType in ISO 15469:2004 / CIE S 011:2003, without the sun.
-    PHOTOMETRIC_FILE = 10 ///< A point with the intensities of FileName.
+    PHOTOMETRIC_FILE = 10, ///< A point with the intensities of FileName.
+    NUMBER_OF_TYPES        ///< No type.
   };
 
   ///@{
   /**
    * Kind of lamp, see Types. Default: PARALLEL.
    */
-  vtkSetClampMacro(Type, int, PARALLEL, PHOTOMETRIC_FILE);
+  vtkSetClampMacro(Type, int, PARALLEL, NUMBER_OF_TYPES - 1);
   vtkGetMacro(Type, int);
   ///@}
 

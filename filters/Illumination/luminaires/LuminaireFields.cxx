@@ -39,7 +39,7 @@ void Pass(const Fields& fields, Luminaire& luminaire)
     std::ostringstream text;
     text << "is (" << colour.x << ", " << colour.y << ", " << colour.z
          << "); its parts must be 0 or more, and one above 0";
-    RefuseField("LuminaireColour", text.str());
+    fields.Refuse("LuminaireColour", text.str());
   }
   luminaire.colour = Colour(colour);
   std::visit([&](auto& lamp) { lamp.Describe(fields); }, luminaire.lamp);
@@ -67,7 +67,7 @@ Luminaire ReadFields(const FieldReader& fields)
     }
     known += name ? (known.empty() ? "" : ", ") + std::string(name) : "";
   }
-  RefuseField(Type, "is '" + type + "'; known types are " + known);
+  fields.Refuse(Type, "is '" + type + "'; known types are " + known);
 }
 
 void Move(Lamp& lamp, const Similarity& motion)

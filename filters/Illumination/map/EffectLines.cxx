@@ -3,6 +3,8 @@
 
 #include "Illumination/pipeline/Text.h"
 
+#include <iterator>
+
 namespace Illumination
 {
 namespace
@@ -19,11 +21,12 @@ struct Words
 };
 
 /// [Scattering]
-constexpr Words WordsOf[Scatterings] = { { "interreflection", "diffuse reflectance" },
+constexpr Words WordsOf[] = { { "interreflection", "diffuse reflectance" },
   { "specular reflection", "specular reflectance" }, { "glossy reflection", "glossy reflectance" },
   { "diffuse transmission", "diffuse transmittance" },
   { "clear transmission", "clear transmittance as a pane" },
   { "refraction", "clear transmittance as the surface of a solid body" } };
+static_assert(std::size(WordsOf) == Scatterings, "each way of scattering has its words");
 
 std::string CompensationLine(const Effects& effects)
 {

@@ -111,7 +111,9 @@ void SceneBlocks::Append(SceneBlock block, const SurfaceDescription& description
   AppendFacets(mesh, block.firstVertex, this->All.facets);
   if (!description.exitanceArray.empty())
   {
-    this->AddExitance(block, description.exitanceArray);
+    const std::vector<PhotonTransport::Colour> exitance =
+      ExitanceOf(block, description.exitanceArray, block.cellOfFacet);
+    this->All.exitance.insert(this->All.exitance.end(), exitance.begin(), exitance.end());
   }
   this->Parts.push_back(std::move(block));
 }
@@ -124,15 +126,6 @@ void SceneBlocks::AddNormals(vtkPolyData* mesh)
     glm::dvec3 normal;
     normals->GetTuple(p, &normal.x);
     this->All.normals.push_back(normal);
-  }
-}
-
-void SceneBlocks::AddExitance(const SceneBlock& block, const std::string& array)
-{
-  for (const PhotonTransport::Colour& exitance : ExitanceOf(block, array, block.cellOfFacet))
-  {
-    this->All.exitance.push_back(PhotonTransport::Luminous(exitance));
-    this->All.exitanceColour.push_back(exitance);
   }
 }
 

@@ -35,7 +35,6 @@ public:
 private:
   void Append(SceneBlock block, const SurfaceDescription& description);
   void AddNormals(vtkPolyData* mesh);
-  void AddExitance(const SceneBlock& block, const std::string& array);
   void AppendUnlit();
   void LendVertices();
 

@@ -12,24 +12,43 @@
 #include <glm/vec3.hpp>
 
 #include <cmath>
+#include <utility>
 
 namespace Illumination
 {
 
-/// Throws InputError.
-[[noreturn]] inline void RefuseField(const std::string& array, const std::string& message)
-{
-  throw InputError("field array '" + array + "' " + message);
-}
-
-/// Puts each value into a field array of its name.
-class FieldWriter
+/// What writing and reading share. @tparam Passer The class that derives from this one.
+template <typename Passer>
+class FieldPasser
 {
 public:
-  explicit FieldWriter(vtkFieldData* fields)
+  explicit FieldPasser(vtkFieldData* fields)
     : Fields(fields)
   {
   }
+  /// A value that has fields of its own.
+  template <typename Part>
+  auto operator()(const char*, Part& part) const
+    -> decltype(DescribeFields(std::declval<const Passer&>(), part))
+  {
+    DescribeFields(static_cast<const Passer&>(*this), part);
+  }
+  /// Throws InputError.
+  [[noreturn]] static void Refuse(const std::string& array, const std::string& message)
+  {
+    throw InputError("field array '" + array + "' " + message);
+  }
+
+protected:
+  vtkFieldData* Fields;
+};
+
+/// Puts each value into a field array of its name.
+class FieldWriter : public FieldPasser<FieldWriter>
+{
+public:
+  using FieldPasser::FieldPasser;
+  using FieldPasser::operator();
   void operator()(const char* name, const std::string& text) const
   {
     AddArray(this->Fields, name, std::vector<std::string>{ text });
@@ -50,7 +69,6 @@ public:
   {
     AddArray(this->Fields, name, std::vector<std::array<double, 3>>{ { v.x, v.y, v.z } });
   }
-
   void operator()(const char* name, const glm::dvec2& v) const
   {
     (*this)(name, std::vector<double>{ v.x, v.y });
@@ -60,36 +78,21 @@ public:
     (*this)(name, static_cast<double>(number));
   }
   void operator()(const char* name, bool is) const { (*this)(name, is ? 1.0 : 0.0); }
-  /// A value that has fields of its own.
-  template <typename Part>
-  auto operator()(const char*, Part& part) const -> decltype(DescribeFields(*this, part))
-  {
-    DescribeFields(*this, part);
-  }
-  [[noreturn]] static void Refuse(const std::string& array, const std::string& message)
-  {
-    RefuseField(array, message);
-  }
-
-private:
-  vtkFieldData* Fields;
 };
 
 /// Takes each value from the field array of its name. Throws InputError for an array that is
 /// missing, of the wrong size or kind, or holds a number that is not finite.
-class FieldReader
+class FieldReader : public FieldPasser<FieldReader>
 {
 public:
-  explicit FieldReader(vtkFieldData* fields)
-    : Fields(fields)
-  {
-  }
+  using FieldPasser::FieldPasser;
+  using FieldPasser::operator();
   void operator()(const char* name, std::string& text) const
   {
     auto* array = vtkStringArray::SafeDownCast(this->Found(name));
     if (!array || array->GetNumberOfValues() != 1)
     {
-      RefuseField(name, "is not one text");
+      Refuse(name, "is not one text");
     }
     text = array->GetValue(0);
   }
@@ -109,7 +112,7 @@ public:
     auto* array = vtkDataArray::SafeDownCast(found);
     if (!array)
     {
-      RefuseField(name, "is a " + std::string(found->GetClassName()) + ", not numbers");
+      Refuse(name, "is a " + std::string(found->GetClassName()) + ", not numbers");
     }
     const int components = array->GetNumberOfComponents();
     numbers.clear();
@@ -119,8 +122,7 @@ public:
       numbers.push_back(array->GetComponent(i / components, component));
       if (!std::isfinite(numbers.back()))
       {
-        RefuseField(
-          name, "has the value " + std::to_string(numbers.back()) + ", which is not finite");
+        Refuse(name, "has the value " + std::to_string(numbers.back()) + ", which is not finite");
       }
     }
   }
@@ -143,23 +145,13 @@ public:
     const double read = this->Numbers(name, 1).front();
     if (!(read >= least && read <= most && read == std::floor(read)))
     {
-      RefuseField(name,
+      Refuse(name,
         "is " + std::to_string(read) + "; it must be a whole number from " + std::to_string(least) +
           " to " + std::to_string(most));
     }
     number = static_cast<int>(read);
   }
   void operator()(const char* name, bool& is) const { is = this->Numbers(name, 1).front() != 0.0; }
-  /// A value that has fields of its own.
-  template <typename Part>
-  auto operator()(const char*, Part& part) const -> decltype(DescribeFields(*this, part))
-  {
-    DescribeFields(*this, part);
-  }
-  [[noreturn]] static void Refuse(const std::string& array, const std::string& message)
-  {
-    RefuseField(array, message);
-  }
 
 private:
   vtkAbstractArray* Found(const char* name) const
@@ -167,7 +159,7 @@ private:
     vtkAbstractArray* array = this->Fields->GetAbstractArray(name);
     if (!array)
     {
-      RefuseField(name, "is missing, which luminaires of this LuminaireType have");
+      Refuse(name, "is missing, which luminaires of this LuminaireType have");
     }
     return array;
   }
@@ -177,14 +169,12 @@ private:
     (*this)(name, numbers);
     if (numbers.size() != count)
     {
-      RefuseField(name,
+      Refuse(name,
         "has " + std::to_string(numbers.size()) + " values; " + std::to_string(count) +
           " are wanted");
     }
     return numbers;
   }
-
-  vtkFieldData* Fields;
 };
 
 } // namespace Illumination

@@ -3,6 +3,8 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -52,6 +54,21 @@ std::vector<vtkIdType> FirstOfCopies(vtkCellArray* cells)
       isCopy ? first[static_cast<std::size_t>(order[i - 1])] : order[i];
   }
   return first;
+}
+
+void StartCopiesAlike(vtkCellArray* cells)
+{
+  const std::vector<vtkIdType> first = FirstOfCopies(cells);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c)
+  {
+    const vtkIdType original = first[static_cast<std::size_t>(c)];
+    if (original != c)
+    {
+      cells->GetCellAtId(original, corners);
+      cells->ReplaceCellAtId(c, corners);
+    }
+  }
 }
 
 } // namespace Illumination

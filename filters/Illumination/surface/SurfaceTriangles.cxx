@@ -11,7 +11,6 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -184,23 +183,6 @@ private:
   double Rounding;
   std::vector<vtkIdType> Corners; ///< Of the polygon at hand.
 };
-
-/// Copies of polygons get the corners of the first, from the same start, or a square could be cut
-/// along its other diagonal.
-void StartCopiesAlike(vtkCellArray* cells)
-{
-  const std::vector<vtkIdType> first = FirstOfCopies(cells);
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c)
-  {
-    const vtkIdType original = first[static_cast<std::size_t>(c)];
-    if (original != c)
-    {
-      cells->GetCellAtId(original, corners);
-      cells->ReplaceCellAtId(c, corners);
-    }
-  }
-}
 
 /// A polygon of n corners gives n - 2 triangles unless it crosses or touches itself, which VTK does
 /// not tell. @param cells What was cut, of a block with so many `blockCells`.

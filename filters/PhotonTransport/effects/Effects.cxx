@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/effects/Effects.h"
 
+#include <algorithm>
+
 namespace PhotonTransport
 {
 namespace
 {
+
+bool ShinesInColour(const Luminaire& luminaire)
+{
+  return !IsGrey(luminaire.colour);
+}
 
 EffectCounts CountsOf(const Scene& scene, const Lighting& lighting)
 {
@@ -17,7 +24,7 @@ EffectCounts CountsOf(const Scene& scene, const Lighting& lighting)
   counts.lamps = lighting.luminaires.size();
   for (const Luminaire& luminaire : lighting.luminaires)
   {
-    counts.colouredLamps += !IsGrey(luminaire.colour);
+    counts.colouredLamps += ShinesInColour(luminaire);
     const LampClass lampClass = ClassOf(luminaire.lamp);
     counts.areaLamps += lampClass == LampClass::Area;
     counts.photometricLamps += lampClass == LampClass::Photometric;
@@ -41,8 +48,14 @@ Effects AnalyseEffects(const Scene& scene, const Lighting& lighting, const Effec
   }
   effects.simulated = effects.present & settings.scatterings;
   effects.colouredFacets = settings.colour && effects.counts.colouredFacets > 0;
-  effects.colour = effects.colouredFacets || (settings.colour && effects.counts.colouredLamps > 0);
+  effects.colour = SimulatesColour(effects.colouredFacets, lighting, settings);
   return effects;
+}
+
+bool SimulatesColour(bool facets, const Lighting& lighting, const EffectSettings& settings)
+{
+  return settings.colour &&
+    (facets || std::any_of(lighting.luminaires.begin(), lighting.luminaires.end(), ShinesInColour));
 }
 
 } // namespace PhotonTransport

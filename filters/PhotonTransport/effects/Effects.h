@@ -44,4 +44,8 @@ struct Effects
 Effects AnalyseEffects(
   const Scene& scene, const Lighting& lighting, const EffectSettings& settings);
 
+/// Whether photons carry a channel each, and colours are therefore kept apart in the map.
+/// @param facets Whether a facet IsColoured.
+bool SimulatesColour(bool facets, const Lighting& lighting, const EffectSettings& settings);
+
 } // namespace PhotonTransport

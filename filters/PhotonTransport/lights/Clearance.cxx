@@ -20,7 +20,7 @@ namespace
 /// often written with six or seven digits, as single precision has them.
 constexpr double Touching = 0x1p-17;
 
-/// Where a lamp comes to stand in front of a facet, relative to the reach.
+/// How far in front of a facet that it touches a lamp is put, relative to the reach.
 constexpr double Clear = 2.0 * Touching;
 
 /// Below this cosine a lamp shines along a facet, and to neither side of it.
@@ -42,12 +42,12 @@ struct HalfSpace
   const Facet* facet; ///< Which it touches.
 };
 
-/// The half-space that a lamp is to be in which touches the facet.
+/// The half-space into which a lamp that touches the facet is to be moved.
 HalfSpace SideOf(const Scene& scene, const Facet& facet, const glm::dvec3& aim, double distance)
 {
   const glm::dvec3 normal(facet.normal);
   const bool back = glm::dot(aim, normal) < -Along;
-  // An aim against the normal is that of a lamp which shines through the facet to its back.
+  // A lamp that aims against the normal shines to the back of the facet, so it is put there.
   return { glm::dvec3(scene.Vertices()[facet.vertices.x].position), back ? -normal : normal,
     distance, &facet };
 }
@@ -110,7 +110,7 @@ double Missing(const HalfSpace& side, const std::vector<glm::dvec3>& places)
   return most;
 }
 
-/// Which a way from the origin is to reach.
+/// A plane that a way from the origin is to reach.
 struct Plane
 {
   glm::dvec3 normal;
@@ -142,8 +142,8 @@ glm::dvec3 LeastOnPlanes(const std::vector<Plane>& planes)
   return way;
 }
 
-/// The least way that leads to or beyond each of the first `count` planes and onto all of `on`. A
-/// plane that the least way for those before it misses is one on which the least way lies (Seidel,
+/// The least way that leads to or beyond each of the first `count` planes and onto all of `on`. If
+/// the least way for the planes before it misses a plane, the least way lies on that plane (Seidel,
 /// "Small-Dimensional Linear Programming and Convex Hulls Made Easy", 1991, for a norm). Not finite
 /// if there is none.
 glm::dvec3 LeastWay(const std::vector<Plane>& planes, std::size_t count, std::vector<Plane> on)

@@ -24,14 +24,14 @@ void SpotLamp::Move(const Similarity& motion)
 
 Prepared<ConeEmitter> PointLamp::Prepare(const Scene& scene) const
 {
-  return { { ClearPosition(this->position, scene), FrameOf({ 0.0, 0.0, 1.0 }), 0.0f, -1.0f },
+  return { { {}, ClearPosition(this->position, scene), FrameOf({ 0.0, 0.0, 1.0 }), 0.0f, -1.0f },
     CheckedFlux(this->flux) };
 }
 
 Prepared<ConeEmitter> LambertianPointLamp::Prepare(const Scene& scene) const
 {
   const glm::dvec3 aim = CheckedDirection(this->direction);
-  return { { ClearPosition(this->position, scene, aim), FrameOf(aim), 1.0f, 0.0f },
+  return { { {}, ClearPosition(this->position, scene, aim), FrameOf(aim), 1.0f, 0.0f },
     CheckedFlux(this->flux) };
 }
 
@@ -47,7 +47,7 @@ Prepared<ConeEmitter> SpotLamp::Prepare(const Scene& scene) const
   CheckedAmount(this->exponent, "spot exponent");
   const auto cosMax = static_cast<float>(std::cos(this->halfAngle));
   const glm::dvec3 aim = CheckedDirection(this->direction);
-  return { { ClearPosition(this->position, scene, aim), FrameOf(aim),
+  return { { {}, ClearPosition(this->position, scene, aim), FrameOf(aim),
              static_cast<float>(this->exponent),
              this->exponent > 0.0 ? std::max(0.0f, cosMax) : cosMax },
     CheckedFlux(this->flux) };

@@ -7,7 +7,7 @@ namespace PhotonTransport
 {
 
 /// Photons from a point, intensity I_0 cos^n within a cone.
-struct ConeEmitter
+struct ConeEmitter : LuminaireColoured
 {
   glm::dvec3 position;
   Frame axis;

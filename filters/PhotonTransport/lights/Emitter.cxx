@@ -77,7 +77,7 @@ Emitter::Emitter(const Lighting& lighting, const Scene& scene, bool colour)
   }
   if (fluxes.size() > 1)
   {
-    // All dark: photons of no flux, from the first lamp.
+    // If all lamps are dark, the first one emits photons without flux.
     fluxes.front() = this->TotalFlux > 0.0 ? fluxes.front() : 1.0;
     this->Table = FluxTable(fluxes);
   }
@@ -87,12 +87,9 @@ std::uint32_t Emitter::ChooseChannel(
   const PhotonSample& sample, std::uint32_t lamp, const Share& share) const
 {
   const float number = sample.ChannelNumber();
-  Colour ends = this->ChannelEnds[lamp];
-  if (const auto* facets = std::get_if<FacetEmitter>(&this->Emitters[lamp]))
-  {
-    const std::vector<Colour>& colours = facets->scene->ExitanceColour();
-    ends = colours.empty() ? ends : ChannelEndsOf(colours[facets->FacetOf(sample, share)]);
-  }
+  const Colour* own = std::visit(
+    [&](const auto& emitter) { return emitter.OwnColour(sample, share); }, this->Emitters[lamp]);
+  const Colour ends = own ? ChannelEndsOf(*own) : this->ChannelEnds[lamp];
   return number < ends.x ? 0u : number < ends.y ? 1u : 2u;
 }
 

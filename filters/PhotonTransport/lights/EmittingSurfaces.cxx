@@ -118,9 +118,10 @@ Prepared<FacetEmitter> EmittingFacets::Prepare(const Scene& scene) const
   double sum = 0.0;
   for (std::uint32_t f = 0; f < scene.Exitance().size(); ++f)
   {
-    if (scene.Exitance()[f] > 0.0f)
+    const float exitance = Luminous(scene.Exitance()[f]);
+    if (exitance > 0.0f)
     {
-      fluxes.push_back(scene.Exitance()[f] * double{ glm::length(scene.AreaVectors()[f]) });
+      fluxes.push_back(exitance * double{ glm::length(scene.AreaVectors()[f]) });
       emitter.facets.push_back(f);
       sum += fluxes.back();
     }
@@ -168,6 +169,11 @@ Prepared<MeshEmitter> EmittingMesh::Prepare(const Scene& scene) const
 std::uint32_t FacetEmitter::FacetOf(const PhotonSample& sample, const Share& share) const
 {
   return this->facets[this->table.At(share.PlaceOf(sample))];
+}
+
+const Colour* FacetEmitter::OwnColour(const PhotonSample& sample, const Share& share) const
+{
+  return &this->scene->Exitance()[this->FacetOf(sample, share)];
 }
 
 Ray FacetEmitter::Emit(const PhotonSample& sample, const Share& share) const

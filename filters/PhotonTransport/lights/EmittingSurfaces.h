@@ -15,10 +15,11 @@ struct FacetEmitter
   FluxTable table;                   ///< Chooses one of them.
   std::uint32_t FacetOf(const PhotonSample& sample, const Share& share) const;
   Ray Emit(const PhotonSample& sample, const Share& share) const;
+  const Colour* OwnColour(const PhotonSample& sample, const Share& share) const;
 };
 
 /// Lambertian photons from triangles that are not part of the scene.
-struct MeshEmitter
+struct MeshEmitter : LuminaireColoured
 {
   struct Triangle
   {

@@ -61,8 +61,8 @@ struct Luminaire
 {
   Lamp lamp;
   std::string name;
-  /// The colour of the light, in any scale: it does not change the flux. It is not used for facets
-  /// that have colours of their own (Surface::exitanceColour).
+  /// The colour of the light, in any scale: it does not change the flux. The scene's own facets do
+  /// not use it, as their exitance is a colour.
   Colour colour{ 1.0f };
 };
 

@@ -12,10 +12,15 @@
 //  - Notes(name): what the user is to know of the luminaire of that name, one sentence each
 //  - Prepare(scene): checks the values, and gives what emits its photons; throws InvalidInput that
 //    names the value
+// What emits has these:
+//  - Emit(sample, share): one photon's ray, in the scene's coordinates
+//  - OwnColour(sample, share): the colour of the place where that photon starts, or nullptr where
+//    photons have the colour of the luminaire (derive from LuminaireColoured)
 #pragma once
 
 #include "PhotonTransport/geometry/Frame.h"
 #include "PhotonTransport/geometry/Similarity.h"
+#include "PhotonTransport/materials/Colour.h"
 
 #include <glm/vec3.hpp>
 
@@ -42,9 +47,14 @@ enum class LampClass
 
 using LampNotes = std::vector<std::string>;
 
-/// A lamp made ready: what emits its photons, in the scene's coordinates, each Emit() one photon's
-/// ray; and its luminous flux, lm. For light from outside the flux is what enters the disk or ball
-/// from which photons start.
+/// The base of what emits photons that all have the colour of their luminaire.
+struct LuminaireColoured
+{
+  const Colour* OwnColour(const PhotonSample&, const Share&) const { return nullptr; }
+};
+
+/// A lamp made ready: what emits its photons, and its luminous flux, lm. For light from outside the
+/// flux is what enters the disk or ball from which photons start.
 template <typename Emitter>
 struct Prepared
 {

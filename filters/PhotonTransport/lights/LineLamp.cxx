@@ -22,7 +22,8 @@ Prepared<LineEmitter> LineLamp::Prepare(const Scene& scene) const
 {
   const glm::dvec3 along = CheckedDirection(this->axis, "lamp axis");
   const double inScene = CheckedLength(this->length, scene, "lamp length");
-  LineEmitter tube{ CheckedPosition(this->centre, scene), 0.5 * inScene * along, FrameOf(along) };
+  LineEmitter tube{ {}, CheckedPosition(this->centre, scene), 0.5 * inScene * along,
+    FrameOf(along) };
   tube.centre += WayClearOfFacets(scene,
     { tube.centre, tube.centre - tube.halfAxis, tube.centre + tube.halfAxis,
       tube.centre - 0.5 * tube.halfAxis, tube.centre + 0.5 * tube.halfAxis },

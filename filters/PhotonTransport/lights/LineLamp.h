@@ -7,7 +7,7 @@ namespace PhotonTransport
 {
 
 /// Lambertian photons from a tube too thin to have a radius.
-struct LineEmitter
+struct LineEmitter : LuminaireColoured
 {
   glm::dvec3 centre;
   glm::dvec3 halfAxis;

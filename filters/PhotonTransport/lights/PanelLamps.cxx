@@ -75,7 +75,7 @@ Prepared<PanelEmitter> RectangleLamp::Prepare(const Scene& scene) const
   const PanelAxes axes = this->Axes();
   const double halfWidth = 0.5 * CheckedLength(this->width, scene, "lamp width");
   const double halfHeight = 0.5 * CheckedLength(this->height, scene, "lamp height");
-  PanelEmitter panel{ CheckedPosition(this->centre, scene), FrameOf(axes.aim),
+  PanelEmitter panel{ {}, CheckedPosition(this->centre, scene), FrameOf(axes.aim),
     halfWidth * axes.width, halfHeight * axes.height, false };
   MoveClear(panel, scene, axes.aim);
   return { panel, CheckedFlux(this->flux) };
@@ -86,7 +86,7 @@ Prepared<PanelEmitter> DiskLamp::Prepare(const Scene& scene) const
   const glm::dvec3 aim = CheckedDirection(this->direction);
   const Frame frame = FrameOf(aim);
   const double length = CheckedLength(this->radius, scene, "lamp radius");
-  PanelEmitter panel{ CheckedPosition(this->centre, scene), frame,
+  PanelEmitter panel{ {}, CheckedPosition(this->centre, scene), frame,
     length * glm::dvec3(frame.tangent), length * glm::dvec3(frame.bitangent), true };
   MoveClear(panel, scene, aim);
   return { panel, CheckedFlux(this->flux) };

@@ -9,7 +9,7 @@ namespace PhotonTransport
 {
 
 /// Lambertian photons from a flat lamp.
-struct PanelEmitter
+struct PanelEmitter : LuminaireColoured
 {
   glm::dvec3 centre;
   Frame frame;
@@ -57,7 +57,7 @@ struct RectangleLamp
   Prepared<PanelEmitter> Prepare(const Scene& scene) const;
 };
 
-/// As RectangleLamp, round.
+/// A round panel, otherwise as RectangleLamp.
 struct DiskLamp
 {
   glm::dvec3 centre{ 0.0 };

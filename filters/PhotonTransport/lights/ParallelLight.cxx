@@ -43,7 +43,8 @@ Prepared<ParallelEmitter> ParallelLight::Prepare(const Scene& scene) const
   const glm::dvec3 centre = circle.centre.x * glm::dvec3(frame.tangent) +
     circle.centre.y * glm::dvec3(frame.bitangent) - SceneRadius * towards;
   const double area = Pi * circle.radius * circle.radius * scene.SquareMetresPerSceneArea();
-  return { { glm::vec3(centre), radius * frame.tangent, radius * frame.bitangent, frame.normal },
+  return { { {}, glm::vec3(centre), radius * frame.tangent, radius * frame.bitangent,
+             frame.normal },
     CheckedAmount(this->illuminance, "illuminance") * area };
 }
 

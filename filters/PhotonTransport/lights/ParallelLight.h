@@ -7,7 +7,7 @@ namespace PhotonTransport
 {
 
 /// Photons in one direction, from a disk that just covers the scene.
-struct ParallelEmitter
+struct ParallelEmitter : LuminaireColoured
 {
   glm::vec3 centre;
   glm::vec3 acrossU, acrossV; ///< The disk's half-axes.

@@ -175,7 +175,7 @@ void PhotometricLamp::Move(const Similarity& motion)
   const LampAxes axes = this->Axes();
   this->position = motion.Point(this->position);
   this->direction = Unit(motion.Direction(axes.aim));
-  // Of the two sides one follows the motion; the other does so too, unless it is mirrored.
+  // One of the two sides, x or y, follows the motion; only the other one may be mirrored.
   const LampAxes unturned = AxesOf(this->direction, 0.0);
   const glm::dvec3 side = motion.Direction(same.y ? axes.x : axes.y);
   const double x = glm::dot(side, unturned.x);
@@ -206,11 +206,11 @@ Prepared<TableEmitter> PhotometricLamp::Prepare(const Scene& scene) const
   switch (this->solid.type)
   {
     case PhotometricSolid::Type::A:
-      return { { place, axes.aim, axes.x, axes.y, table }, flux };
+      return { { {}, place, axes.aim, axes.x, axes.y, table }, flux };
     case PhotometricSolid::Type::B:
-      return { { place, axes.aim, axes.y, axes.x, table }, flux };
+      return { { {}, place, axes.aim, axes.y, axes.x, table }, flux };
     default:
-      return { { place, axes.x, axes.y, axes.aim, table }, flux };
+      return { { {}, place, axes.x, axes.y, axes.aim, table }, flux };
   }
 }
 

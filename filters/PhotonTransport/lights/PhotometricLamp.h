@@ -13,7 +13,7 @@ namespace PhotonTransport
 class DirectionTable;
 
 /// Photons from a point by a table of intensities.
-struct TableEmitter
+struct TableEmitter : LuminaireColoured
 {
   glm::dvec3 position;
   glm::dvec3 azimuth0, azimuth90, pole; ///< Orthonormal.

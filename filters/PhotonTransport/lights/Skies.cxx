@@ -106,7 +106,8 @@ Prepared<SkyEmitter> UniformSky::Prepare(const Scene& scene) const
 {
   const double radius = BallRadius(scene);
   const double solidAngle = this->wholeSphere ? 4.0 * Pi : 2.0 * Pi;
-  return { { FrameOf(CheckedDirection(this->up)), this->wholeSphere, static_cast<float>(radius) },
+  return { { {}, FrameOf(CheckedDirection(this->up)), this->wholeSphere,
+             static_cast<float>(radius) },
     CheckedAmount(this->luminance, "luminance") * CrossSection(radius, scene) * solidAngle };
 }
 
@@ -130,7 +131,8 @@ Prepared<TableSkyEmitter> CieSky::Prepare(const Scene& scene) const
     glm::length(level) > FloatSlack ? glm::normalize(level) : glm::dvec3(FrameOf(zenith).tangent);
   const auto table = std::make_shared<const DirectionTable>(SkyTable(this->type, sunZenithAngle));
   const double radius = BallRadius(scene);
-  return { { azimuth0, glm::cross(zenith, azimuth0), zenith, static_cast<float>(radius), table },
+  return { { {}, azimuth0, glm::cross(zenith, azimuth0), zenith, static_cast<float>(radius),
+             table },
     ZenithLuminance(*this, *table) * 2.0 * table->Integral() * CrossSection(radius, scene) };
 }
 
@@ -161,8 +163,8 @@ Ray SkyEmitter::Emit(const PhotonSample& sample, const Share&) const
 
 Ray TableSkyEmitter::Emit(const PhotonSample& sample, const Share&) const
 {
-  // One number chooses the side of the sun and the azimuth there; next to each other in the number
-  // is next to each other in the sky, across the sun's meridian too.
+  // One number chooses the side of the sun and the azimuth on that side. Numbers that are close
+  // give places that are close in the sky, also across the sun's meridian.
   const double turn = 2.0 * sample.Emission(3) - 1.0;
   const glm::dvec2 angles =
     this->table->Sample(sample.Emission(2), std::min(std::fabs(turn), 1.0 - 0x1p-53));

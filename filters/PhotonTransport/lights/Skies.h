@@ -11,7 +11,7 @@ namespace PhotonTransport
 class DirectionTable;
 
 /// Photons of uniform luminance from a hemisphere or sphere of directions onto the bounding ball.
-struct SkyEmitter
+struct SkyEmitter : LuminaireColoured
 {
   Frame up;
   bool wholeSphere;
@@ -20,7 +20,7 @@ struct SkyEmitter
 };
 
 /// Photons from a sky whose luminance a table gives, onto the bounding ball.
-struct TableSkyEmitter
+struct TableSkyEmitter : LuminaireColoured
 {
   glm::dvec3 azimuth0, azimuth90, up; ///< Orthonormal.
   float radius;                       ///< As SkyEmitter's.

@@ -16,7 +16,7 @@ void SphereLamp::Move(const Similarity& motion)
 
 Prepared<SphereEmitter> SphereLamp::Prepare(const Scene& scene) const
 {
-  return { { ClearPosition(this->centre, scene),
+  return { { {}, ClearPosition(this->centre, scene),
              CheckedLength(this->radius, scene, "lamp radius") },
     CheckedFlux(this->flux) };
 }

@@ -7,7 +7,7 @@ namespace PhotonTransport
 {
 
 /// Lambertian photons from the outside of a sphere.
-struct SphereEmitter
+struct SphereEmitter : LuminaireColoured
 {
   glm::dvec3 centre;
   double radius;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/materials/Scattering.h"
 
+#include "PhotonTransport/materials/MaterialProperties.h"
+
 #include <algorithm>
 
 namespace PhotonTransport
@@ -47,9 +49,12 @@ Roulette MakeRoulette(const Material& material, bool colour)
 
 bool IsColoured(const Material& material)
 {
-  return !IsGrey(material.diffuseReflectance) || !IsGrey(material.specularReflectance) ||
-    !IsGrey(material.glossyReflectance) || !IsGrey(material.diffuseTransmittance) ||
-    !IsGrey(material.clearTransmittance);
+  return std::any_of(MaterialProperties.begin(), MaterialProperties.end(),
+    [&](const MaterialProperty& property)
+    {
+      const auto* share = std::get_if<Colour Material::*>(&property.member);
+      return share && !IsGrey(material.**share);
+    });
 }
 
 ScatteringSet ScatteringsOf(const Material& material)

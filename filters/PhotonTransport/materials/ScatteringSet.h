@@ -27,5 +27,8 @@ constexpr ScatteringSet Reflections =
   SetOf(Scattering::SpecularReflection) | SetOf(Scattering::GlossyReflection);
 constexpr ScatteringSet Transmissions = SetOf(Scattering::DiffuseTransmission) |
   SetOf(Scattering::ClearTransmission) | SetOf(Scattering::Refraction);
+static_assert(
+  (SetOf(Scattering::DiffuseReflection) | Reflections | Transmissions) == AllScatterings,
+  "a walk is compiled for each way of scattering, and Scatterings counts them all");
 
 } // namespace PhotonTransport

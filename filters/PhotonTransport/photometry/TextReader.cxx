@@ -3,10 +3,7 @@
 
 #include "PhotonTransport/photometry/PhotometricFile.h"
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <sstream>
 
 namespace PhotonTransport
 {
@@ -19,11 +16,6 @@ bool IsSeparator(char c)
   return c == ' ' || c == ',';
 }
 
-bool IsDigit(char c)
-{
-  return c >= '0' && c <= '9';
-}
-
 std::string Text(const NumberName& name)
 {
   return name.Index == 0 ? name.Name : name.Name + (" " + std::to_string(name.Index));
@@ -34,20 +26,6 @@ std::string Range(double smallest, double largest)
   return "within [" + NumberText(smallest) + ", " + NumberText(largest) + "]";
 }
 
-/// Commas between digits, and those that begin a line's first number, become points.
-void MakeCommasPoints(std::string& line)
-{
-  for (std::size_t i = 0; i + 1 < line.size(); ++i)
-  {
-    const bool isInNumber = i > 0 && (IsDigit(line[i - 1]) || line[i - 1] == '-');
-    if (line[i] == ',' && IsDigit(line[i + 1]) &&
-      (isInNumber || Trimmed(std::string_view(line).substr(0, i)).empty()))
-    {
-      line[i] = '.';
-    }
-  }
-}
-
 std::string Quoted(std::string_view text)
 {
   constexpr std::size_t longest = 40;
@@ -55,25 +33,6 @@ std::string Quoted(std::string_view text)
 }
 
 } // namespace
-
-bool ParseNumber(std::string_view text, double& value)
-{
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-')
-  {
-    text.remove_prefix(1); // from_chars takes no plus
-  }
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return !text.empty() && error == std::errc() && stop == end && std::isfinite(value);
-}
-
-std::string NumberText(double value)
-{
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << value;
-  return text.str();
-}
 
 TextReader::TextReader(const PhotometricText& text, Commas commas)
   : Source(&text)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/photometry/NumberText.h"
 #include "PhotonTransport/photometry/PhotometricText.h"
 
 #include <cstddef>
@@ -23,9 +24,6 @@ struct NumberName
   const char* Name;
   std::size_t Index;
 };
-
-/// Larger numbers are refused. It is far beyond any lamp, and sums of such numbers are finite.
-constexpr double LargestNumber = 1e30;
 
 /// The meaning of a comma that stands before a digit and behind a digit, a minus or the blanks at
 /// the beginning of a line. Any other comma separates numbers as a blank does.
@@ -111,11 +109,5 @@ private:
   std::size_t TokenBegin = 0;
   std::size_t TokenEnd = 0;
 };
-
-/// A number as photometric files have them. @return False for anything else.
-bool ParseNumber(std::string_view text, double& value);
-
-/// The number with at most six significant digits.
-std::string NumberText(double value);
 
 } // namespace PhotonTransport

@@ -27,7 +27,8 @@ inline double FromFixedPoint(FixedPoint sum)
   return static_cast<double>(sum) / double{ FixedPointOne };
 }
 
-/// For weights that may be huge: with 12 fraction bits fewer than 2^31 hits of weight 2^20 fit.
+/// For weights that may be huge: with 12 fraction bits, a sum can hold nearly 2^31 hits of weight
+/// 2^20.
 constexpr float CoarseFixedPointOne = 0x1p12f;
 inline FixedPoint ToCoarseFixedPoint(float weight)
 {

@@ -30,6 +30,60 @@ inline float ShownArea(const Scene& scene, std::uint32_t v, const glm::vec3& tow
   return (sums[0] + sums[1] + sums[2] + sums[3]) * scene.Vertices()[v].inverseThreeAreas;
 }
 
+/// The weights of HitWeights for Registration::FacetRatio.
+inline glm::vec3 FacetRatioWeights(
+  const Scene& scene, const Facet& facet, const glm::vec3& barycentric, const glm::vec3& towards)
+{
+  glm::vec3 smooth(0.0f);
+  int flatCorners = 0;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const Vertex& vertex = scene.Vertices()[facet.vertices[corner]];
+    smooth += barycentric[corner] * vertex.normal;
+    flatCorners += vertex.IsFlat();
+  }
+  if (flatCorners == 3)
+  {
+    return barycentric;
+  }
+  const float length = glm::length(smooth);
+  const float cosSmooth = glm::dot(towards, smooth);
+  if (!(cosSmooth > 0.0f && length > 0.0f))
+  {
+    return glm::vec3(0.0f);
+  }
+  const float cosFlat = std::max(0.0f, glm::dot(towards, facet.normal));
+  // Formula (2) as its text means it: the first s_norm is the smooth normal, the second the flat.
+  return std::min(cosSmooth / (length * cosFlat), LargestFactor) * barycentric;
+}
+
+/// The weights of HitWeights for Registration::VertexNormalised.
+inline glm::vec3 VertexNormalisedWeights(
+  const Scene& scene, const Facet& facet, const glm::vec3& barycentric, const glm::vec3& towards)
+{
+  glm::vec3 weights(0.0f);
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const std::uint32_t v = facet.vertices[corner];
+    const Vertex& vertex = scene.Vertices()[v];
+    if (vertex.IsFlat())
+    {
+      weights[corner] = barycentric[corner];
+      continue;
+    }
+    const float cosine = glm::dot(towards, vertex.normal);
+    if (!(cosine > 0.0f))
+    {
+      continue;
+    }
+    const float shown =
+      cosine >= vertex.sinTilt ? glm::dot(towards, vertex.shownArea) : ShownArea(scene, v, towards);
+    // The hit facet is in the ring, so only rounding at grazing incidence can bring this to 0.
+    weights[corner] = barycentric[corner] * std::min(cosine / std::max(0.0f, shown), LargestFactor);
+  }
+  return weights;
+}
+
 /// Weights of one hit for the three vertices of its facet, before the bound. Each is within
 /// [0, LargestFactor] times its barycentric coordinate. @param towards Unit, on the front of the
 /// facet: back along the ray for a hit on the front, along it for a hit on the back.
@@ -43,52 +97,11 @@ glm::vec3 HitWeights(
   }
   else if constexpr (RegistrationKind == Registration::FacetRatio)
   {
-    glm::vec3 smooth(0.0f);
-    int flatCorners = 0;
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const Vertex& vertex = scene.Vertices()[facet.vertices[corner]];
-      smooth += barycentric[corner] * vertex.normal;
-      flatCorners += vertex.IsFlat();
-    }
-    if (flatCorners == 3)
-    {
-      return barycentric;
-    }
-    const float length = glm::length(smooth);
-    const float cosSmooth = glm::dot(towards, smooth);
-    if (!(cosSmooth > 0.0f && length > 0.0f))
-    {
-      return glm::vec3(0.0f);
-    }
-    const float cosFlat = std::max(0.0f, glm::dot(towards, facet.normal));
-    // Formula (2) as its text means it: the first s_norm is the smooth normal, the second the flat.
-    return std::min(cosSmooth / (length * cosFlat), LargestFactor) * barycentric;
+    return FacetRatioWeights(scene, facet, barycentric, towards);
   }
   else
   {
-    glm::vec3 weights(0.0f);
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const std::uint32_t v = facet.vertices[corner];
-      const Vertex& vertex = scene.Vertices()[v];
-      if (vertex.IsFlat())
-      {
-        weights[corner] = barycentric[corner];
-        continue;
-      }
-      const float cosine = glm::dot(towards, vertex.normal);
-      if (!(cosine > 0.0f))
-      {
-        continue;
-      }
-      const float shown = cosine >= vertex.sinTilt ? glm::dot(towards, vertex.shownArea)
-                                                   : ShownArea(scene, v, towards);
-      // The hit facet is in the ring, so only rounding at grazing incidence can bring this to 0.
-      weights[corner] =
-        barycentric[corner] * std::min(cosine / std::max(0.0f, shown), LargestFactor);
-    }
-    return weights;
+    return VertexNormalisedWeights(scene, facet, barycentric, towards);
   }
 }
 

@@ -38,8 +38,8 @@ void CopyToBuffer(
   }
 }
 
-/// Adds the parts to what Embree gets, after the facets. A facet that has parts is left without
-/// extent, so that the numbers of the others stay theirs.
+/// Adds the parts to what Embree gets, after the facets. A facet that has parts stays in the list
+/// without extent, so that the other facets keep their numbers.
 void AddParts(const std::vector<FacetPart>& parts, std::vector<glm::vec3>& points,
   std::vector<glm::uvec3>& facets)
 {
@@ -99,7 +99,7 @@ struct EmbreeScene::Implementation
     }
   }
 
-  /// Not inlined: it is rare, and what is hot must stay small.
+  /// It is not inlined, since it is rare and the hot code must stay small.
   [[gnu::noinline]] void MovePartToFacet(Hit& hit) const
   {
     if (hit)
@@ -132,7 +132,7 @@ struct EmbreeScene::Implementation
     }
   }
 
-  /// Fewer rays than a packet holds: the last one fills it.
+  /// For fewer rays than a packet holds: the last one fills it.
   void IntersectFew(RayPacket& packet, const Ray* rays, Hit* hits, std::size_t count) const
   {
     RayPacket::Mask wanted;
@@ -187,8 +187,8 @@ EmbreeScene::EmbreeScene(
   rtcCommitGeometry(geometry);
 
   this->Impl->scene = rtcNewScene(this->Impl->device);
-  // Robust: rays must not slip through shared edges. The default (medium) build quality: high
-  // gained no rate that could be measured.
+  // Robust, since rays must not slip through shared edges. The build quality is the default
+  // (medium), since high quality gained no rate that could be measured.
   rtcSetSceneFlags(this->Impl->scene, RTC_SCENE_FLAG_ROBUST);
   rtcAttachGeometry(this->Impl->scene, geometry);
   rtcReleaseGeometry(geometry);

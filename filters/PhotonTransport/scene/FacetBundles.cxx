@@ -10,8 +10,8 @@ namespace PhotonTransport
 namespace
 {
 
-/// Whether any two facets of a group face the same way; true for groups that are not small. It is
-/// quick, and in most groups no two do.
+/// Whether any two facets of a group face the same way. In most groups no two do, and a look at a
+/// small group is quick. Groups that are not small count as if two did.
 bool AnyFaceTheSameWay(
   const std::vector<FacetPlane>& planes, const PlaneMember* first, const PlaneMember* last)
 {
@@ -44,7 +44,7 @@ std::vector<Bundle> BundlesOf(
   const std::vector<FacetPlane>& planes, const PlaneMember* first, const PlaneMember* last)
 {
   constexpr float Joins = 0.9f;
-  constexpr float AtHome = 0.95f; // who is at home is joined by all that face the same way
+  constexpr float AtHome = 0.95f; // all that face the same way as such a facet join its bundle
   std::vector<Bundle> bundles;
   if (!AnyFaceTheSameWay(planes, first, last))
   {

@@ -22,8 +22,8 @@ struct Bundle
   std::vector<std::uint32_t> facets;
 };
 
-/// Bundles of the facets in a group: those that face the same way are together in at least one.
-/// None for most groups where no two do.
+/// Bundles of the facets in a group. Facets that face the same way are together in at least one
+/// bundle. Most groups in which no two facets do have no bundle.
 std::vector<Bundle> BundlesOf(
   const std::vector<FacetPlane>& planes, const PlaneMember* first, const PlaneMember* last);
 

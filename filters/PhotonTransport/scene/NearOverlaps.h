@@ -14,10 +14,10 @@ namespace PhotonTransport
 
 /// Overlaps of facets that are farther apart than rounding explains (FacetOverlap::excess above 1).
 ///
-/// What rounding explains differs from place to place. A sheet that lies in the plane of another
-/// one in some places and a little off it in others is in one place with it as a whole: else one
-/// facet would get the light and its neighbour would not. So overlaps up to an excess of 16 join
-/// those that they are connected with by a corner of both facets.
+/// What rounding explains differs from place to place. A sheet may lie in the plane of another one
+/// in some places and a little off it in others. It is then in one place with it as a whole, since
+/// otherwise one facet would get the light and its neighbour would not. Therefore overlaps up to an
+/// excess of 16 join the overlaps to which a corner of each of the two facets connects them.
 class NearOverlaps
 {
 public:
@@ -32,7 +32,7 @@ public:
   bool Empty() const { return this->Overlaps.empty(); }
 
   /// Takes out the overlaps that belong to sheets in one place.
-  /// @param inOnePlace Facets that overlap others in one plane, (facet).
+  /// @param inOnePlace Indices of the facets that overlap others in one plane.
   std::vector<FacetOverlap> TakeJoined(const std::vector<std::uint32_t>& inOnePlace);
 
   /// The other overlaps where it is left to chance which facet gets the light: they are connected

@@ -17,7 +17,7 @@ std::uint64_t NumberOf(const glm::vec3& point)
   std::uint64_t number = 0;
   for (int i = 0; i < 3; ++i)
   {
-    const float coordinate = point[i] + 0.0f; // one zero
+    const float coordinate = point[i] + 0.0f; // makes 0 of -0
     std::uint32_t bits;
     std::memcpy(&bits, &coordinate, sizeof bits);
     number = (number ^ bits) + 0x9e3779b97f4a7c15u;

@@ -11,13 +11,13 @@
 namespace PhotonTransport
 {
 
-/// Which of some facets in a plane that face about the same way lie at the outline of what they
-/// cover.
+/// Finds which facets lie at the outline of what they cover. The facets are in one plane and face
+/// about the same way.
 ///
-/// How many facets cover a point is the number of times that the outline winds round it, the
-/// outline being all edges, counter-clockwise, less those that are there in both directions. Where
-/// two facets overlap, their common area is bounded by pieces of the outline; the facet that has
-/// this edge overlaps another one there. So it is enough to look at the facets at the outline.
+/// The outline consists of the facets' edges, counter-clockwise, without those that are there in
+/// both directions. It winds round a point as many times as facets cover the point. Where two
+/// facets overlap, pieces of the outline bound their common area, and a facet with such an edge
+/// overlaps another one there. So it is enough to look at the facets at the outline.
 class Outline
 {
 public:

@@ -194,7 +194,8 @@ private:
     return overlap.excess <= (isSingle ? NearIfSingle : Near);
   }
 
-  /// A small facet has no neighbours of slivers as wide as itself.
+  /// The rounding of a small facet is limited to a part of it, since slivers that it has in common
+  /// with its neighbours are narrower than itself.
   void AddRounding(PlaneTriangle& triangle) const
   {
     const DataRounding& rounding = this->Places.rounding;
@@ -246,8 +247,8 @@ std::vector<const PlaneMember*> Shares(const std::vector<PlaneMember>& groups)
 
 void ForEachOverlap(const FacetPlaces& places, const std::function<void(const FacetOverlap&)>& f)
 {
-  // All threads look where there may be overlaps, which is hardly anywhere. These few bundles are
-  // gone through in their order, whatever the threads.
+  // All threads look for the bundles that may hold overlaps, which are few. These are then gone
+  // through in their order, so that the result does not depend on the threads.
   const std::vector<const PlaneMember*> begins = Shares(places.groups);
   std::vector<std::vector<Bundle>> found(begins.size() - 1);
   PerThread<Outline> outlines(MostThreadIndices(), Outline(places.points, places.facets));

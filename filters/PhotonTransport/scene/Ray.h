@@ -17,8 +17,8 @@ struct Ray
 
 constexpr std::uint32_t NoFacet = 0xffffffffu;
 constexpr std::uint32_t NoPart = 0xffffffffu;
-/// Stands for no part of a facet that has others in its place: rays start clear of these, and by
-/// Hit::inPart.x more (Scene::SafeOrigin).
+/// Stands for no part either, on a facet that shares its place with others: rays start clear of all
+/// of these facets, and farther by Hit::inPart.x (Scene::SafeOrigin).
 constexpr std::uint32_t NoPartButLifted = 0xfffffffeu;
 
 /// The first facet along a ray.
@@ -26,7 +26,8 @@ struct Hit
 {
   std::uint32_t facet = NoFacet;
   glm::vec3 barycentric{ 0.0f }; ///< Of the facet's three corners; in [0, 1], sum 1.
-  /// Of the facet, where it is traced in parts: the place in it tells the point more finely.
+  /// The part that was hit, if the facet is traced in parts: the place in the part gives the point
+  /// more precisely.
   std::uint32_t part = NoPart;
   glm::vec3 inPart{ 0.0f }; ///< Barycentric coordinates of the part.
 

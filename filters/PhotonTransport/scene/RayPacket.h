@@ -13,11 +13,12 @@
 namespace PhotonTransport
 {
 
-/// A ray this many times as long as its hit is far from the origin is traced again from near.
+/// A ray is traced again from near its hit if it is this many times as long as its hit is far from
+/// the scene's origin.
 constexpr float FarRay = 16.0f;
 
-/// Where it starts then, before its hit, in lengths of the ray: 128 times the rounding of a
-/// coordinate, which the error of the hit does not reach but where the ray is in the facet's plane.
+/// How far before its hit such a ray starts the second time, in lengths of the ray: 128 times the
+/// rounding of a coordinate. The error of the hit is less unless the ray is in the facet's plane.
 constexpr float Approach = 0x1p-17f;
 
 /// Eight rays as Embree takes them, and what each meets first. Serves one group of rays after the

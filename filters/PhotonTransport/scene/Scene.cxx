@@ -90,34 +90,7 @@ void Scene::AddFacets(const Surface& surface, const std::vector<glm::vec3>& posi
   this->FacetAreas.reserve(surface.facets.size());
   for (std::size_t f = 0; f < surface.facets.size(); ++f)
   {
-    const glm::uvec3& ids = surface.facets[f];
-    // The rounded positions are the ones that photons hit, so areas and normals are theirs.
-    const glm::dvec3 a(positions[ids[0]]), b(positions[ids[1]]), c(positions[ids[2]]);
-    glm::dvec3 areaVector = 0.5 * glm::cross(b - a, c - a);
-    const double area = glm::length(areaVector);
-    if (!(area >= LeastArea))
-    {
-      ++this->Found.droppedFacets;
-      this->Dropped.push_back(static_cast<std::uint32_t>(f));
-      continue;
-    }
-    const FacetSide side = SideOf(
-      areaVector, { surface.normals[ids.x], surface.normals[ids.y], surface.normals[ids.z] });
-    if (side.turned)
-    {
-      areaVector = -areaVector;
-      ++this->Found.turnedFacets;
-    }
-    if (side.undecided)
-    {
-      this->Found.undecidedFacets.Add(f);
-    }
-    const float reflectance =
-      Luminous(surface.materials[surface.materialOfFacet[f]].diffuseReflectance);
-    this->FacetRecords.push_back(
-      { ids, reflectance, glm::vec3(areaVector / area), MarginPerOffset(a, b, c, area) });
-    this->FacetAreas.emplace_back(areaVector);
-    this->AddFacetLight(surface, f);
+    this->AddFacet(surface, f, positions);
   }
   this->FacetMaterials = surface.materials;
   this->CountScatterings();
@@ -127,20 +100,46 @@ void Scene::AddFacets(const Surface& surface, const std::vector<glm::vec3>& posi
   }
 }
 
-void Scene::AddFacetLight(const Surface& surface, std::size_t facet)
+/// Leaves out a facet that has no area.
+void Scene::AddFacet(
+  const Surface& surface, std::size_t facet, const std::vector<glm::vec3>& positions)
 {
+  const glm::uvec3& ids = surface.facets[facet];
+  // The rounded positions are the ones that photons hit, so areas and normals are theirs.
+  const glm::dvec3 a(positions[ids[0]]), b(positions[ids[1]]), c(positions[ids[2]]);
+  glm::dvec3 areaVector = 0.5 * glm::cross(b - a, c - a);
+  const double area = glm::length(areaVector);
+  if (!(area >= LeastArea))
+  {
+    ++this->Found.droppedFacets;
+    this->Dropped.push_back(static_cast<std::uint32_t>(facet));
+    return;
+  }
+  const FacetSide side =
+    SideOf(areaVector, { surface.normals[ids.x], surface.normals[ids.y], surface.normals[ids.z] });
+  if (side.turned)
+  {
+    areaVector = -areaVector;
+    ++this->Found.turnedFacets;
+  }
+  if (side.undecided)
+  {
+    this->Found.undecidedFacets.Add(facet);
+  }
+  const float reflectance =
+    Luminous(surface.materials[surface.materialOfFacet[facet]].diffuseReflectance);
+  this->FacetRecords.push_back(
+    { ids, reflectance, glm::vec3(areaVector / area), MarginPerOffset(a, b, c, area) });
+  this->FacetAreas.emplace_back(areaVector);
   this->FacetMaterial.push_back(surface.materialOfFacet[facet]);
   if (!surface.exitance.empty())
   {
     this->FacetExitance.push_back(surface.exitance[facet]);
   }
-  if (!surface.exitanceColour.empty())
-  {
-    this->FacetExitanceColour.push_back(surface.exitanceColour[facet]);
-  }
+  this->Found.colouredFacets += IsColoured(surface, facet);
 }
 
-/// Which facets call for which effects.
+/// How many facets scatter light in each way.
 void Scene::CountScatterings()
 {
   std::vector<ScatteringSet> ways(this->FacetMaterials.size());
@@ -153,9 +152,6 @@ void Scene::CountScatterings()
     {
       this->Found.scatteringFacets[s] += (set >> s) & 1u;
     }
-    const bool coloured = IsColoured(this->FacetMaterials[this->FacetMaterial[f]]) ||
-      (!this->FacetExitanceColour.empty() && !IsGrey(this->FacetExitanceColour[f]));
-    this->Found.colouredFacets += coloured;
   }
 }
 

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace PhotonTransport
@@ -41,16 +42,16 @@ public:
   void ForEachNear(
     const glm::vec3& point, float distance, const std::function<void(std::uint32_t)>& f) const;
 
-  /// Where two sheets of a wall lie in one place, a ray may meet the wrong one. Moves a hit on the
-  /// back of a facet to the facet there whose front the ray meets, and returns whether there is
-  /// one.
+  /// Where two sheets of a wall lie in one place, a ray may meet the wrong one. This moves a hit on
+  /// the back of a facet to the facet in that place whose front the ray meets, and returns whether
+  /// it moved the hit.
   bool PreferFront(const Ray& ray, Hit& hit) const
   {
     return !this->DoubleSheets.empty() && this->DoubleSheets[hit.facet] != 0 &&
       this->FindFront(ray, hit);
   }
 
-  /// Whether other facets may lie in the place of a hit that face the same way as its facet.
+  /// Whether other facets that face the same way may lie in the place of a hit.
   bool MaySharePlace(const Hit& hit) const
   {
     return !this->Shared.empty() && this->Shared[hit.facet] != 0;
@@ -58,8 +59,8 @@ public:
   /// Finds the facets in the place of a hit, its own among them; moves the hit to the last of them.
   void FindSharers(Hit& hit, std::vector<Sharer>& sharers) const;
 
-  /// Coordinates are floats: what they can tell apart grows with their size. This is the size that
-  /// counts at a point, its largest coordinate; next to the origin it stays at a least value.
+  /// The size of the coordinates at a point, with which their rounding grows: the largest
+  /// coordinate, or a least value next to the origin.
   template <typename Number>
   Number Reach(const glm::vec<3, Number>& point) const
   {
@@ -97,11 +98,8 @@ public:
   }
   /// Area vectors |a_f| n_f of the facets, scene units squared.
   const std::vector<glm::vec3>& AreaVectors() const { return this->FacetAreas; }
-  /// lm/m^2 of each facet's front; empty if no facet emits.
-  const std::vector<float>& Exitance() const { return this->FacetExitance; }
-  /// Of it; empty if none emits with a colour.
-  const std::vector<Colour>& ExitanceColour() const { return this->FacetExitanceColour; }
-  /// Empty where facets do no more than reflect diffusely, by Facet::reflectance.
+  /// Surface::exitance of each facet. Of exact copies only the brightest one emits.
+  const std::vector<Colour>& Exitance() const { return this->FacetExitance; }
   const std::vector<Material>& Materials() const { return this->FacetMaterials; }
   /// Index into Materials, by facet.
   const std::vector<std::uint32_t>& MaterialOfFacet() const { return this->FacetMaterial; }
@@ -115,15 +113,16 @@ public:
 
 private:
   void RequireSize() const;
-  void AddFacetLight(const Surface& surface, std::size_t facet);
   void CountScatterings();
   void AddFacets(const Surface& surface, const std::vector<glm::vec3>& positions);
+  void AddFacet(const Surface& surface, std::size_t facet, const std::vector<glm::vec3>& positions);
   void AddVertices(const Surface& surface, const std::vector<glm::vec3>& positions);
-  void ReserveRingAreas(std::size_t vertices);
-  void AddRingAreas(std::uint32_t vertex);
-  Vertex MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const glm::vec3& position);
-  glm::dvec3 NormalOfUse(
-    std::uint32_t v, const glm::dvec3& givenNormal, const glm::dvec3& areaVectors);
+  FacetRings RingsThatCount(std::size_t vertices) const;
+  void AddRingAreas(const Range<std::uint32_t>& ring);
+  void AddVertex(
+    const Range<std::uint32_t>& ring, const glm::dvec3& givenNormal, const glm::vec3& position);
+  glm::dvec3 UsableNormal(
+    const Range<std::uint32_t>& ring, const glm::dvec3& givenNormal, const glm::dvec3& areaVectors);
   void FindSharedPlaces(const std::vector<glm::vec3>& positions);
   void FinishNotesOnSharedPlaces();
   void MarkSharedPlace(const FacetOverlap& overlap);
@@ -135,6 +134,9 @@ private:
   }
   std::uint32_t InSurface(std::uint32_t facet) const; ///< Its index in the surface given.
   bool FindFront(const Ray& ray, Hit& hit) const;
+  struct PlaceOfHit;
+  PlaceOfHit PlaceOf(const Hit& hit) const;
+  std::optional<glm::vec3> WithinShared(std::uint32_t facet, const PlaceOfHit& place) const;
   glm::vec3 SafeOriginOnPart(const Hit& hit, bool front) const;
   glm::vec3 SafeOriginAt(const glm::vec3& point, const Hit& hit, bool front) const;
   void BuildBvh(std::vector<glm::vec3> positions);
@@ -146,11 +148,9 @@ private:
   float LeastReach = 0x1p-16f;
   std::vector<Facet> FacetRecords;
   std::vector<glm::vec3> FacetAreas;
-  std::vector<float> FacetExitance;
-  std::vector<Colour> FacetExitanceColour;
+  std::vector<Colour> FacetExitance;
   std::vector<Material> FacetMaterials;
   std::vector<std::uint32_t> FacetMaterial;
-  FacetRings VertexRings;
   std::vector<RingAreas> AreasByRing;
   std::vector<std::uint64_t> FirstAreas; ///< Of each vertex in AreasByRing, and their number.
   SceneNotes Found;

@@ -12,7 +12,7 @@ namespace PhotonTransport
 {
 
 /// Gaps too thin for the rays there. A ray starts a little above the facet that it leaves
-/// (OriginOffset); if another facet is nearer than that, light passes it unseen. A gap counts only
+/// (OriginOffset); if another facet is nearer than that, light passes through it. A gap counts only
 /// where light may be in it: in front of both facets, or beside one that lets light through. A
 /// facet nearer than an eighth of the offset, or than the rounding of the data explains, is taken
 /// to be in the same place, unless the facet that the ray leaves is the surface of a solid body.
@@ -43,17 +43,17 @@ struct Finding
 /// What was found in the surface and mended while it was prepared.
 struct SceneNotes
 {
-  std::size_t turnedFacets = 0;    ///< Winding against the normals; turned for the sides.
+  std::size_t turnedFacets = 0;    ///< The normals contradict the winding and tell the front.
   std::size_t droppedFacets = 0;   ///< No area that a float can hold: they can't be hit.
   std::size_t replacedNormals = 0; ///< Zero or not finite: the ring's mean normal instead.
-  Finding undecidedFacets;         ///< Normals do not tell the front (FacetSide): winding does.
-  Finding inPlaneNormals;          ///< Of points, in the plane of all their facets: replaced too.
+  Finding undecidedFacets;         ///< The winding tells the front, normals do not (FacetSide).
+  Finding inPlaneNormals;          ///< In the plane of all facets of the point: replaced, too.
   std::size_t tiltedVertices = 0;  ///< Normal differs from some facet's around it.
   /// Facets that scatter light in each way, by Scattering.
   std::array<std::size_t, Scatterings> scatteringFacets{};
   ThinGaps thinGaps;
   SharedPlaceNotes sharedPlaces;
-  std::size_t colouredFacets = 0; ///< Reflecting, transmitting or shining unequally by channel.
+  std::size_t colouredFacets = 0; ///< See IsColoured.
 };
 
 } // namespace PhotonTransport

@@ -15,8 +15,8 @@ namespace PhotonTransport
 constexpr float OriginOffset = 0x1p-19f;
 
 /// How far from the facet's edges a ray starts, in offsets. A start lifted off one wall of an acute
-/// corner would land behind the other wall if it were closer than offset * cot(angle): 4 serves
-/// down to 14 degrees, where the plain offset lets rays out.
+/// corner would land behind the other wall if it were closer to the edge than offset * cot(angle).
+/// 4 is enough for corners of 14 degrees and more; with less, rays get out there.
 constexpr float EdgeClearance = 4.0f;
 
 /// What the walk needs of a facet, in one half of a cache line.
@@ -34,16 +34,16 @@ struct alignas(32) Facet
 struct alignas(64) Vertex
 {
   glm::vec3 position;
-  glm::vec3 normal; ///< Unit, as given, or the ring's where none of use was given.
+  glm::vec3 normal; ///< Unit: the given one, or the ring's if the given one is not usable.
   /// Mean area vector over area, (1/3 sum a_f) / (1/3 sum |a_f|), over the ring.
   glm::vec3 shownArea;
-  /// Sine of the largest angle between the normal and the ring's facet normals; 2 where that is
-  /// 90 degrees or more, and below 0 for a ring as flat as its normal, which needs no compensation.
+  /// -1: flat, no compensation. 2: some facet tilts 90 degrees or more. Else the sine of the
+  /// largest tilt, which is the angle between the normal and the normal of a facet of the ring.
   /// Light with -w.n >= sinTilt meets every facet of the ring from the front.
   float sinTilt;
   float inverseThreeAreas; ///< 1 / sum |a_f|; 0 for a vertex without a facet.
 
-  /// Its registration is Flat's, whatever the kind.
+  /// Whether all registrations do the same here as Registration::Flat.
   bool IsFlat() const { return this->sinTilt < 0.0f; }
 };
 

@@ -14,8 +14,8 @@ constexpr unsigned AllCorners = 7;
 
 /// Facets in one plane that face the same way and have a part in common: each of them registers
 /// the light that arrives there, and the last one in the list decides what becomes of it, as if it
-/// lay on top. A plane is one up to rounding, of the data's coordinates too; light that leaves such
-/// facets starts beyond all of them.
+/// lay on top. Facets are in one plane if rounding, also that of the data's coordinates, explains
+/// how far they are apart. Light that leaves such facets starts beyond all of them.
 ///
 /// A vertex that belongs to a facet and to a copy of it counts the light and the area once. For
 /// that the three lowest bits mark the corners of a copy that an earlier facet has counted already.

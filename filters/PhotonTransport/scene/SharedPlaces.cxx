@@ -33,8 +33,8 @@ unsigned CornersOf(const glm::uvec3& facet, const glm::uvec3& other)
   return corners;
 }
 
-/// Whether the triangle holds a point, both seen along an axis. Triangles that are joined at an
-/// edge share it out: a point is in one of them, never in both and never in none.
+/// Barycentric coordinates of a point in a triangle, both seen along an axis; nothing for a point
+/// outside. A point on the edge at which two triangles are joined is in exactly one of them.
 std::optional<glm::vec3> Inside(const glm::dvec3& point, const glm::dvec3 (&corners)[3], int axis)
 {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -97,22 +97,22 @@ void Scene::MarkSharedPlace(const FacetOverlap& overlap)
   const auto apart = static_cast<float>(Reserve * overlap.Apart());
   this->Apart[first] = std::max(this->Apart[first], apart);
   this->Apart[second] = std::max(this->Apart[second], apart);
-  const bool bothShine = !this->FacetExitance.empty() && this->FacetExitance[first] > 0.0f &&
-    this->FacetExitance[second] > 0.0f;
+  const auto exitance = [&](std::uint32_t facet)
+  { return this->FacetExitance.empty() ? 0.0f : Luminous(this->FacetExitance[facet]); };
   if (overlap.copies)
   {
     mark(notes.copies, SharesPlace,
       IsCopy | CornersOf(this->FacetRecords[second].vertices, this->FacetRecords[first].vertices));
     if (!this->FacetExitance.empty()) // they shine once, as the brighter one
     {
-      const bool secondIsBrighter = this->FacetExitance[second] > this->FacetExitance[first];
-      this->FacetExitance[secondIsBrighter ? first : second] = 0.0f;
+      const bool secondIsBrighter = exitance(second) > exitance(first);
+      this->FacetExitance[secondIsBrighter ? first : second] = Colour(0.0f);
     }
   }
   else
   {
     mark(notes.inPart, SharesPlace | OverlapsInPart, 0);
-    if (bothShine)
+    if (exitance(first) > 0.0f && exitance(second) > 0.0f)
     {
       mark(notes.shineToo, ShinesToo, 0);
     }
@@ -209,9 +209,17 @@ void Scene::FinishNotesOnSharedPlaces()
   }
 }
 
-void Scene::FindSharers(Hit& hit, std::vector<Sharer>& sharers) const
+/// Where a hit is, and how far from there a facet may be that shares the place.
+struct Scene::PlaceOfHit
 {
-  sharers.clear();
+  glm::dvec3 point;
+  glm::vec3 normal; ///< Of the facet that was hit.
+  double near;      ///< By rounding.
+  double apart;     ///< As the facet that was hit and those in its place may be.
+};
+
+Scene::PlaceOfHit Scene::PlaceOf(const Hit& hit) const
+{
   const Facet& met = this->FacetRecords[hit.facet];
   const glm::dvec3 weights(hit.barycentric);
   glm::dvec3 point(0.0);
@@ -221,31 +229,41 @@ void Scene::FindSharers(Hit& hit, std::vector<Sharer>& sharers) const
       glm::dvec3(this->VertexRecords[met.vertices[c]].position);
   }
   const double near = double{ SheetGap } * this->Reach(point) + double{ CornerGap };
-  const double apart{ this->Apart[hit.facet] };
-  const float lift = hit.part == NoPartButLifted ? hit.inPart.x : 0.0f; // see FindFront
-  const int axis = BestAxis(met.normal);
-  const auto look = [&](std::uint32_t f)
+  return { point, met.normal, near, double{ this->Apart[hit.facet] } };
+}
+
+/// The barycentric coordinates in a facet of a place that it shares, or nothing.
+std::optional<glm::vec3> Scene::WithinShared(std::uint32_t f, const PlaceOfHit& place) const
+{
+  const Facet& facet = this->FacetRecords[f];
+  if ((this->Shared[f] & SharesPlace) == 0 || !(glm::dot(place.normal, facet.normal) > SameSheet))
   {
-    const Facet& facet = this->FacetRecords[f];
-    if ((this->Shared[f] & SharesPlace) == 0 || !(glm::dot(met.normal, facet.normal) > SameSheet))
+    return std::nullopt;
+  }
+  const glm::dvec3 corners[3] = { glm::dvec3(this->VertexRecords[facet.vertices.x].position),
+    glm::dvec3(this->VertexRecords[facet.vertices.y].position),
+    glm::dvec3(this->VertexRecords[facet.vertices.z].position) };
+  const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const double gap = place.near + std::min(place.apart, double{ this->Apart[f] });
+  return std::fabs(glm::dot(place.point - corners[0], normal)) <= gap * glm::length(normal)
+    ? Inside(place.point, corners, BestAxis(place.normal))
+    : std::nullopt;
+}
+
+void Scene::FindSharers(Hit& hit, std::vector<Sharer>& sharers) const
+{
+  sharers.clear();
+  const PlaceOfHit place = this->PlaceOf(hit);
+  const float lift = hit.part == NoPartButLifted ? hit.inPart.x : 0.0f; // see FindFront
+  // Seen along the axis a facet may be farther from the point than its plane is.
+  this->ForEachNear(glm::vec3(place.point), static_cast<float>(place.near + 2.0 * place.apart),
+    [&](std::uint32_t f)
     {
-      return;
-    }
-    const glm::dvec3 corners[3] = { glm::dvec3(this->VertexRecords[facet.vertices.x].position),
-      glm::dvec3(this->VertexRecords[facet.vertices.y].position),
-      glm::dvec3(this->VertexRecords[facet.vertices.z].position) };
-    const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    const double gap = near + std::min(apart, double{ this->Apart[f] });
-    if (std::fabs(glm::dot(point - corners[0], normal)) <= gap * glm::length(normal))
-    {
-      if (const auto there = Inside(point, corners, axis))
+      if (const auto there = this->WithinShared(f, place))
       {
         sharers.push_back({ f, *there, AllCorners & ~unsigned{ this->Shared[f] } });
       }
-    }
-  };
-  // Seen along the axis a facet may be farther from the point than its plane is.
-  this->ForEachNear(glm::vec3(point), static_cast<float>(near + 2.0 * apart), look);
+    });
   std::sort(sharers.begin(), sharers.end(),
     [](const Sharer& a, const Sharer& b) { return a.facet < b.facet; });
   sharers.erase(std::unique(sharers.begin(), sharers.end(),
@@ -253,7 +271,7 @@ void Scene::FindSharers(Hit& hit, std::vector<Sharer>& sharers) const
     sharers.end());
   if (sharers.size() < 2)
   {
-    // The facet shares its place elsewhere, or rounding has put the point beside the others.
+    // The facet shares another part of its place, or rounding has put the point beside the others.
     sharers.assign(1, { hit.facet, hit.barycentric, AllCorners });
   }
   else if (sharers.back().facet != hit.facet)

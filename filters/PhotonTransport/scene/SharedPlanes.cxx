@@ -27,11 +27,11 @@ constexpr float MostUncertain(float cellsPerUnit)
   return 0.5f / cellsPerUnit;
 }
 
-/// As many cells as most planes can be told apart in.
+/// As many cells as possible in which most planes can still be told apart.
 float ChooseCellsPerUnit(const std::vector<FacetPlane>& planes)
 {
   constexpr float Coarse = 0x1p-21f; // eight times the rounding of the scene's own coordinates
-  constexpr std::ptrdiff_t Few = 16; // one in so many may be a needle
+  constexpr std::ptrdiff_t Few = 16; // one facet in so many may be as narrow as a needle
   float cells = MostCellsPerUnit;
   const auto isTooUncertain = [&](const FacetPlane& plane)
   { return plane.rounding > Coarse && plane.uncertainty > MostUncertain(cells); };
@@ -103,8 +103,8 @@ FacetPlane PlaneOf(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
   const glm::vec3& normal, const DataRounding& rounding)
 {
   // A corner is rounded by 2^-25 in each coordinate, a facet of least height h leans by no more
-  // than 2^-23 / h from that, and the nearest point moves by twice that times its distance. What
-  // the data's rounding moves corners out of the plane adds to it.
+  // than 2^-23 / h from that, and the nearest point moves by twice that times its distance. The
+  // distance by which the data's rounding moves corners out of the plane is added.
   const glm::vec3 u = b - a, v = c - a, w = c - b;
   const float longest = std::max({ glm::dot(u, u), glm::dot(v, v), glm::dot(w, w) });
   const float twiceArea = glm::length(glm::cross(u, v));
@@ -138,7 +138,7 @@ std::vector<PlaneMember> SharedPlanes(const std::vector<FacetPlane>& planes)
         }
       });
   }
-  // No two are alike, so there is one order. Only integers are compared, which the floating-point
+  // No two are equal, so there is one order. Only integers are compared, which the floating-point
   // settings of threads do not concern.
   tbb::parallel_sort(members.begin(), members.end());
   std::vector<PlaneMember> groups;

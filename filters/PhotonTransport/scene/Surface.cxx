@@ -2,6 +2,7 @@
 #include "PhotonTransport/scene/Surface.h"
 
 #include "PhotonTransport/materials/MaterialProperties.h"
+#include "PhotonTransport/materials/Scattering.h"
 #include "PhotonTransport/materials/ValueText.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 
@@ -48,8 +49,6 @@ void ValidateSizes(const Surface& surface)
   };
   requireOneEach(surface.materialOfFacet.size(), "indices of materials");
   requireOneEach(surface.exitance.empty() ? facets : surface.exitance.size(), "exitances");
-  requireOneEach(
-    surface.exitanceColour.empty() ? facets : surface.exitanceColour.size(), "exitance colours");
   if (!(surface.metresPerUnit > 0.0) || !std::isfinite(surface.metresPerUnit))
   {
     Refuse(Where::TraceSettings, 0, "metres per unit is ", surface.metresPerUnit,
@@ -79,20 +78,13 @@ void ValidateMaterial(
 
 void ValidateExitance(const Surface& surface, std::size_t f)
 {
-  const auto require = [&](float value, const char* what)
+  for (int c = 0; c < 3 && !surface.exitance.empty(); ++c)
   {
+    const float value = surface.exitance[f][c];
     if (!(value >= 0.0f && std::isfinite(value)))
     {
-      Refuse(Where::Facet, f, what, value, " lm/m^2 is not a finite number >= 0");
+      Refuse(Where::Facet, f, "exitance ", value, " lm/m^2 is not a finite number >= 0");
     }
-  };
-  if (!surface.exitance.empty())
-  {
-    require(surface.exitance[f], "exitance ");
-  }
-  for (int c = 0; c < 3 && !surface.exitanceColour.empty(); ++c)
-  {
-    require(surface.exitanceColour[f][c], "exitance ");
   }
 }
 
@@ -133,6 +125,12 @@ void Validate(const Surface& surface)
       Refuse(Where::Surface, 0, "material ", m, ", which no triangle has: ", problems[m]);
     }
   }
+}
+
+bool IsColoured(const Surface& surface, std::size_t facet)
+{
+  return IsColoured(surface.materials[surface.materialOfFacet[facet]]) ||
+    (!surface.exitance.empty() && !IsGrey(surface.exitance[facet]));
 }
 
 } // namespace PhotonTransport

@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -19,9 +20,9 @@ struct Surface
   std::vector<glm::uvec3> facets;  ///< Point indices.
   std::vector<Material> materials; ///< What facets do with light, on both sides alike.
   std::vector<std::uint32_t> materialOfFacet; ///< One a facet: which of the materials.
-  std::vector<float> exitance;        ///< lm/m^2 from the front, one a facet, >= 0; or empty.
-  std::vector<Colour> exitanceColour; ///< Its colour, in any scale, >= 0, one a facet; empty: grey.
-  double metresPerUnit = 1.0;         ///< > 0, finite.
+  /// What the front of each facet emits, >= 0, or empty if none emits. Its Luminous() is in lm/m^2.
+  std::vector<Colour> exitance;
+  double metresPerUnit = 1.0; ///< > 0, finite.
   /// By how much each coordinate of `points` was rounded at most before it came here, relative to
   /// that coordinate: 2^-24 for points of single precision, 0 for double. >= 0, finite. Surfaces
   /// that lie in one plane up to this are in one place, see SharedPlace.
@@ -30,5 +31,9 @@ struct Surface
 
 /// Throws InvalidInput at the first value outside what Surface promises.
 void Validate(const Surface& surface);
+
+/// Whether a facet treats the channels unequally, or emits them unequally.
+/// @param surface Valid.
+bool IsColoured(const Surface& surface, std::size_t facet);
 
 } // namespace PhotonTransport

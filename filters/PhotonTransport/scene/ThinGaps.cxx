@@ -14,14 +14,14 @@ namespace PhotonTransport
 namespace
 {
 
-/// Facets narrower than eight offsets are left out: what is near their middle is their neighbours.
+/// Facets narrower than eight offsets are left out, since only neighbours are near their middle.
 constexpr float Narrow = 8.0f;
 
 /// Two facets nearer than this share of an offset, four times the rounding of a coordinate, may be
 /// meant to be in one place, unless a solid body lies between them.
 constexpr double Rounding = 0.125;
 
-/// From where a ray would start at the middle of a facet, back to the facet.
+/// A look back at a facet, from where rays that leave its middle start.
 struct Probe
 {
   std::uint32_t facet;

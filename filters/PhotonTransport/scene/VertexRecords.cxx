@@ -12,12 +12,14 @@ namespace PhotonTransport
 namespace
 {
 
-/// Below this sine of the angle to its facets a vertex normal counts as theirs.
+/// A vertex normal counts as that of its facets if the sine of its angle to them is below this.
 constexpr float NoTilt = 1e-4f;
 
 } // namespace
 
-void Scene::AddVertices(const Surface& surface, const std::vector<glm::vec3>& positions)
+/// The ring of each vertex without the corners of copies, whose light and area count once; see
+/// SharedPlace.
+FacetRings Scene::RingsThatCount(std::size_t vertices) const
 {
   std::vector<glm::uvec3> kept;
   kept.reserve(this->FacetRecords.size());
@@ -35,37 +37,34 @@ void Scene::AddVertices(const Surface& surface, const std::vector<glm::vec3>& po
       }
     }
   }
-  this->VertexRings = FacetRings(positions.size(), kept);
+  return { vertices, kept };
+}
 
+void Scene::AddVertices(const Surface& surface, const std::vector<glm::vec3>& positions)
+{
+  const FacetRings rings = this->RingsThatCount(positions.size());
+  std::size_t groups = 0; // growing by doubling would take three times the memory for a moment
+  for (std::uint32_t v = 0; v < positions.size(); ++v)
+  {
+    const Range<std::uint32_t> ring = rings.Of(v);
+    groups += static_cast<std::size_t>(ring.end() - ring.begin() + 3) / 4;
+  }
+  this->AreasByRing.reserve(groups);
   this->VertexRecords.reserve(positions.size());
   this->Areas.reserve(positions.size());
   this->FirstAreas.reserve(positions.size() + 1);
   this->FirstAreas.push_back(0);
-  this->ReserveRingAreas(positions.size());
   for (std::uint32_t v = 0; v < positions.size(); ++v)
   {
-    this->AddRingAreas(v);
-    this->VertexRecords.push_back(
-      this->MakeVertex(v, UsableNormal(surface.normals[v]), positions[v]));
+    this->AddRingAreas(rings.Of(v));
+    this->AddVertex(rings.Of(v), PhotonTransport::UsableNormal(surface.normals[v]), positions[v]);
   }
 }
 
-/// Growing by doubling would take three times the memory for a moment.
-void Scene::ReserveRingAreas(std::size_t vertices)
-{
-  std::size_t groups = 0;
-  for (std::uint32_t v = 0; v < vertices; ++v)
-  {
-    const Range<std::uint32_t> ring = this->VertexRings.Of(v);
-    groups += static_cast<std::size_t>(ring.end() - ring.begin() + 3) / 4;
-  }
-  this->AreasByRing.reserve(groups);
-}
-
-void Scene::AddRingAreas(std::uint32_t vertex)
+void Scene::AddRingAreas(const Range<std::uint32_t>& ring)
 {
   int place = 0;
-  for (const std::uint32_t f : this->VertexRings.Of(vertex))
+  for (const std::uint32_t f : ring)
   {
     if (place == 0)
     {
@@ -80,11 +79,12 @@ void Scene::AddRingAreas(std::uint32_t vertex)
   this->FirstAreas.push_back(this->AreasByRing.size());
 }
 
-Vertex Scene::MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const glm::vec3& position)
+void Scene::AddVertex(
+  const Range<std::uint32_t>& ring, const glm::dvec3& givenNormal, const glm::vec3& position)
 {
   glm::dvec3 areaVectors(0.0);
   double areas = 0.0;
-  for (const std::uint32_t f : this->VertexRings.Of(v))
+  for (const std::uint32_t f : ring)
   {
     areaVectors += glm::dvec3(this->FacetAreas[f]);
     areas += glm::length(glm::dvec3(this->FacetAreas[f]));
@@ -92,12 +92,13 @@ Vertex Scene::MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const g
   this->Areas.push_back(areas / 3.0 * this->SquareMetresPerSceneArea());
   if (!(areas > 0.0))
   {
-    return { position, glm::vec3(0.0f), glm::vec3(0.0f), 2.0f, 0.0f };
+    this->VertexRecords.push_back({ position, glm::vec3(0.0f), glm::vec3(0.0f), 2.0f, 0.0f });
+    return;
   }
 
-  const glm::dvec3 normal = this->NormalOfUse(v, givenNormal, areaVectors);
+  const glm::dvec3 normal = this->UsableNormal(ring, givenNormal, areaVectors);
   double leastCosine = 1.0;
-  for (const std::uint32_t f : this->VertexRings.Of(v))
+  for (const std::uint32_t f : ring)
   {
     leastCosine =
       std::min(leastCosine, glm::dot(normal, glm::normalize(glm::dvec3(this->FacetAreas[f]))));
@@ -106,15 +107,14 @@ Vertex Scene::MakeVertex(std::uint32_t v, const glm::dvec3& givenNormal, const g
     leastCosine > 0.0 ? std::sqrt(std::max(0.0, 1.0 - leastCosine * leastCosine)) : 2.0;
   const bool flat = sinTilt <= NoTilt;
   this->Found.tiltedVertices += !flat;
-  return { position, glm::vec3(normal), glm::vec3(areaVectors / areas),
-    flat ? -1.0f : static_cast<float>(sinTilt), static_cast<float>(1.0 / areas) };
+  this->VertexRecords.push_back({ position, glm::vec3(normal), glm::vec3(areaVectors / areas),
+    flat ? -1.0f : static_cast<float>(sinTilt), static_cast<float>(1.0 / areas) });
 }
 
-/// The given normal, or, where it does not tell a front, that of the ring's fronts.
-glm::dvec3 Scene::NormalOfUse(
-  std::uint32_t v, const glm::dvec3& givenNormal, const glm::dvec3& areaVectors)
+/// The given normal, or the normal of the ring's fronts if the given one does not tell a front.
+glm::dvec3 Scene::UsableNormal(
+  const Range<std::uint32_t>& ring, const glm::dvec3& givenNormal, const glm::dvec3& areaVectors)
 {
-  const Range<std::uint32_t> ring = this->VertexRings.Of(v);
   if (givenNormal == glm::dvec3(0.0))
   {
     ++this->Found.replacedNormals;
@@ -126,13 +126,13 @@ glm::dvec3 Scene::NormalOfUse(
                return std::fabs(glm::dot(givenNormal, area)) <= InPlane * glm::length(area);
              }))
   {
-    this->Found.inPlaneNormals.Add(v);
+    this->Found.inPlaneNormals.Add(this->VertexRecords.size());
   }
   else
   {
     return givenNormal;
   }
-  return UsableNormal(areaVectors);
+  return PhotonTransport::UsableNormal(areaVectors);
 }
 
 } // namespace PhotonTransport

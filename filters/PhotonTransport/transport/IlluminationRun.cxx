@@ -14,8 +14,8 @@ namespace PhotonTransport
 namespace
 {
 
-/// A round ends with this many times the photons of the one before: often enough to stop near a
-/// target, or else seldom enough that measuring the error costs little.
+/// A round ends with this many times the photons of the one before. Towards a target rounds are
+/// short enough to stop near it; otherwise they are so long that measuring the error costs little.
 constexpr double GrowthTowardsTarget = 1.5;
 constexpr double Growth = 2.0;
 
@@ -228,7 +228,7 @@ RunProgress IlluminationRun::ProgressTowards(const StopRules& rules, std::uint64
   {
     fraction = std::max(fraction, photons / this->Rows.back().predictedPhotons);
   }
-  // Predictions change their mind; a progress bar must not.
+  // Predictions rise and fall, but progress must not fall.
   this->LargestFraction = std::clamp(fraction, this->LargestFraction, 1.0);
   return { this->LargestFraction, seconds * (1.0 / this->LargestFraction - 1.0) };
 }

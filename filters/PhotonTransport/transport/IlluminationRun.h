@@ -26,8 +26,9 @@ struct StopRules
 };
 
 /// A run towards a relative error ends when it has traced so many photons and none of them has
-/// registered on any side. With 95 % confidence less than 3 in so many photons do, and no target
-/// can be met with so few. Without this rule the run would go on to StopRules::photons.
+/// registered on any side. With 95 % confidence fewer than 3 of so many photons would register on
+/// average, and no target can be met with so few. Without this rule the run would go on to
+/// StopRules::photons.
 constexpr std::uint64_t MostPhotonsInTheDark = 1u << 20;
 
 /// Throws InvalidInput that names the rule.
@@ -69,7 +70,7 @@ public:
   /// False once an abort has left gaps in the sequences: the map is valid, but going on would not
   /// give the bits that a run in one go gives.
   bool CanGoOn() const { return this->WithoutGaps; }
-  /// And whether a run to so many photons would not have ended before.
+  /// Also false if a run to so many photons would have ended before where this one is.
   bool CanGoOnTo(std::uint64_t photons) const;
 
   IlluminationMap Front() const { return this->MapOf(&IlluminationSums::front); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/transport/MemoryNeed.h"
 
+#include "PhotonTransport/effects/Effects.h"
 #include "PhotonTransport/materials/Scattering.h"
 #include "PhotonTransport/refinement/Subdivision.h"
 #include "PhotonTransport/registration/IlluminationSums.h"
@@ -26,8 +27,7 @@ namespace
 constexpr std::uint64_t EmbreePerFacet = 128;
 
 /// The Surface itself, and for each facet and vertex the cell and point it comes from.
-constexpr std::uint64_t InputPerFacet =
-  sizeof(glm::uvec3) + 2 * sizeof(float) + sizeof(std::int64_t);
+constexpr std::uint64_t InputPerFacet = sizeof(glm::uvec3) + sizeof(std::int64_t);
 constexpr std::uint64_t InputPerVertex = 2 * sizeof(glm::dvec3) + sizeof(std::int64_t);
 
 /// Facets that are traced in parts, of which there are an eighth as many at most: the list, doubled
@@ -35,10 +35,10 @@ constexpr std::uint64_t InputPerVertex = 2 * sizeof(glm::dvec3) + sizeof(std::in
 constexpr std::uint64_t PartsPerFacet =
   (2 * sizeof(FacetPart) + 2 * (3 * sizeof(glm::vec3) + sizeof(glm::uvec3)) + EmbreePerFacet) / 8;
 
-/// Records, area vectors, exitance, rings and three lists of indices (one is Embree's); the areas
+/// Records, area vectors, rings and three lists of indices (one is Embree's); the areas
 /// of a ring fill groups of four.
 constexpr std::uint64_t ScenePerFacet = sizeof(Facet) + 2 * sizeof(std::uint8_t) +
-  sizeof(glm::vec3) + sizeof(float) + 3 * sizeof(std::uint32_t) + 3 * sizeof(glm::uvec3) +
+  sizeof(glm::vec3) + 3 * sizeof(std::uint32_t) + 3 * sizeof(glm::uvec3) +
   3 * sizeof(RingAreas) / 4 + 2 * sizeof(glm::vec3) + 2 * sizeof(std::uint64_t);
 /// Records, areas, three lists of offsets, two lists of positions (one is Embree's).
 constexpr std::uint64_t ScenePerVertex = sizeof(Vertex) + sizeof(double) +
@@ -51,6 +51,16 @@ constexpr std::uint64_t LampPerVertex = sizeof(glm::dvec2);
 /// Of one side: the map (four numbers), the errors that are sorted, and what a filter makes of it
 /// (six point arrays and as many on the way to them).
 constexpr std::uint64_t MapPerVertex = (4 + 1 + 2 * 6) * sizeof(double);
+
+bool AnyFacetIsColoured(const Surface& surface)
+{
+  std::size_t facet = 0;
+  while (facet < surface.facets.size() && !IsColoured(surface, facet))
+  {
+    ++facet;
+  }
+  return facet < surface.facets.size();
+}
 
 double GiB(std::uint64_t bytes)
 {
@@ -89,11 +99,7 @@ std::uint64_t MemoryNeed(
   const std::uint64_t sides = settings.registerBackSide ? 2 : 1;
   const auto threads = static_cast<std::uint64_t>(ThreadCount(settings.threads));
   const std::uint64_t sumsPerVertex = (settings.replicates + threads) * sides * sizeof(VertexSums);
-  const bool colour = settings.colour &&
-    (std::any_of(surface.materials.begin(), surface.materials.end(), IsColoured) ||
-      !surface.exitanceColour.empty() ||
-      std::any_of(lighting.luminaires.begin(), lighting.luminaires.end(),
-        [](const Luminaire& luminaire) { return !IsGrey(luminaire.colour); }));
+  const bool colour = SimulatesColour(AnyFacetIsColoured(surface), lighting, settings);
   const std::uint64_t lamps = settings.lampsApart ? lighting.luminaires.size() : 0;
   const std::uint64_t layers = (colour ? LightLayers::Channels : 0) + lamps;
   // Each thread's sums and the whole's, and what a filter makes of them.
@@ -103,11 +109,10 @@ std::uint64_t MemoryNeed(
     LampPerVertex + sides * MapPerVertex + sumsPerVertex;
   const std::uint64_t perFacet =
     InputPerFacet + ScenePerFacet + EmbreePerFacet + PartsPerFacet + LampPerFacet;
-  const std::uint64_t materials =
-    surface.materials.size() * (2 * sizeof(Material) + sizeof(Roulette)) +
+  const std::uint64_t light = surface.materials.size() * (2 * sizeof(Material) + sizeof(Roulette)) +
     surface.materialOfFacet.size() * 3 * sizeof(std::uint32_t) +
-    surface.exitanceColour.size() * 2 * sizeof(Colour);
-  return surface.points.size() * perVertex + surface.facets.size() * perFacet + materials;
+    surface.exitance.size() * 2 * sizeof(Colour);
+  return surface.points.size() * perVertex + surface.facets.size() * perFacet + light;
 }
 
 std::optional<std::uint64_t> AvailableMemory()

@@ -14,7 +14,7 @@ namespace PhotonTransport
 
 /// Bytes that a Surface, its Scene, an IlluminationRun and the maps it gives take together at most,
 /// worked out from the Surface before the rest is allocated. This counts what grows with the
-/// surface, and not the few MiB that every process takes.
+/// surface, and not the few MiB that every process takes. @param surface Valid; see Validate.
 std::uint64_t MemoryNeed(
   const Surface& surface, const Lighting& lighting, const TraceSettings& settings);
 

@@ -18,7 +18,7 @@ namespace PhotonTransport
 namespace
 {
 
-/// A roulette for each material, or, where there are no materials, for each reflectance.
+/// A roulette for each material, if the walk needs them.
 FacetRoulettes MakeRoulettes(const Scene& scene, Walk walk, bool colour)
 {
   FacetRoulettes made;
@@ -40,8 +40,8 @@ const TraceSettings& Validated(const TraceSettings& settings)
   return settings;
 }
 
-/// From one photon of 10^10 at the least weight, 2^-28, to all of them at the largest factor: every
-/// illuminance must be a number with all its digits.
+/// Every illuminance must be a number with all its digits, from that of one photon in 10^10 at the
+/// least weight, 2^-28, to that of all photons at the largest factor.
 void RequireIlluminanceInRange(const Scene& scene, double flux)
 {
   constexpr double LeastShare = 0x1p-62;

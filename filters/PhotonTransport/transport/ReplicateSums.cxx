@@ -30,8 +30,8 @@ void ForEachWithArea(const std::vector<double>& areas, const F& f)
     });
 }
 
-/// What a hit adds to a vertex. @param sums Of weights, in place of illuminances. In order, so that
-/// the same sums give the same bits.
+/// What a hit adds to a vertex. It is added up in order, so that the same sums give the same bits.
+/// @param sums Weights, where a map has illuminances.
 double MeanWeight(const IlluminationMap& sums)
 {
   constexpr double WithoutCompensation = 1.0 / 3.0;
@@ -90,7 +90,7 @@ IlluminationMap ReplicateSums::Map(Side side, double flux, const std::vector<dou
   {
     return map;
   }
-  // Weights first: what a hit adds on average is known only when all are there.
+  // Weights come first, since what a hit adds on average is known only when all are there.
   ForEachWithArea(areas,
     [&](std::size_t v)
     {

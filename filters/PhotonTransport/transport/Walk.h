@@ -94,7 +94,7 @@ constexpr bool LetsLightThrough(Walk walk)
 }
 
 /// Counts a photon that had not arrived before by the side that it has met; see Arrivals.
-/// @return Whether it has arrived: on the back of a facet that lets light through it has not.
+/// @return Whether it has arrived, which it has not on the back of a facet that lets light through.
 template <Walk WalkKind>
 bool CountArrival(const Hit& hit, bool front, const WalkSettings& settings, Arrivals& arrivals)
 {
