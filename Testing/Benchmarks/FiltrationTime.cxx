@@ -9,6 +9,7 @@
 #include "Shapes.h"
 
 #include "PhotonTransport/filtration/Filtration.h"
+#include "PhotonTransport/scene/Threads.h"
 
 #include <sys/resource.h>
 
@@ -72,7 +73,7 @@ void Measure(const Shapes::Surface& surface, const char* order, int threads)
   const std::vector<double> hits(surface.points.size(), 100.0);
   double graphSeconds = 0.0;
   double seconds = 0.0;
-  OnThreads(threads,
+  Threads(threads).Run(
     [&]
     {
       const auto build = [&] { return SmoothingGraph(surface.points, surface.facets, 0.7); };

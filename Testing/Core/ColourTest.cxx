@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Light by channel.
+#include "PhotonTransport/lights/Emitter.h"
 #include "PhotonTransport/transport/IlluminationRun.h"
 
 #include "Shapes.h"

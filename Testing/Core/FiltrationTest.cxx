@@ -4,6 +4,7 @@
 #include "PhotonTransport/filtration/DarkRegions.h"
 #include "PhotonTransport/filtration/PhotonNoise.h"
 #include "PhotonTransport/scene/InvalidInput.h"
+#include "PhotonTransport/scene/Threads.h"
 
 #include "PhotonMap.h"
 #include "Shapes.h"
@@ -218,7 +219,7 @@ TEST(Filtration, HasTheSameBitsForAnyNumberOfThreads)
   std::vector<FilteredMap> results;
   for (const int threads : { 1, 2, 3, 8 })
   {
-    OnThreads(threads, [&] { results.push_back(Smoothed(GraphOf(surface), noisy)); });
+    Threads(threads).Run([&] { results.push_back(Smoothed(GraphOf(surface), noisy)); });
     EXPECT_EQ(results.back().values, results.front().values) << threads;
     EXPECT_EQ(results.back().squaredError, results.front().squaredError) << threads;
     EXPECT_EQ(results.back().width, results.front().width) << threads;

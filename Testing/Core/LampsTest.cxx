@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Spheres, tubes, meshes and skies against closed forms.
+#include "PhotonTransport/lights/Emitter.h"
 #include "PhotonTransport/transport/IlluminationRun.h"
 
 #include "Shapes.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PhotonTransport/registration/Registration.h"
 #include "PhotonTransport/geometry/Frame.h"
+#include "PhotonTransport/registration/Registrar.h"
 #include "PhotonTransport/sampling/PhotonSample.h"
 #include "PhotonTransport/sampling/Warps.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/InvalidInput.h"
-#include "PhotonTransport/scene/ParallelFor.h"
+#include "PhotonTransport/scene/Threads.h"
 #include "PhotonTransport/statistics/ReplicateStatistics.h"
 #include "PhotonTransport/transport/PhotonTracer.h"
 
@@ -244,9 +244,9 @@ TEST(ParallelFor, ComputesAsItsCallerDoes)
   const Scene scene(Room(0.5f));
   std::vector<double> halves(10'000, std::numeric_limits<double>::min());
   ParallelFor(0, halves.size(),
-    [&](const tbb::blocked_range<std::uint64_t>& range)
+    [&](std::uint64_t begin, std::uint64_t end)
     {
-      for (std::uint64_t i = range.begin(); i < range.end(); ++i)
+      for (std::uint64_t i = begin; i < end; ++i)
       {
         halves[i] *= 0.5;
       }

@@ -8,6 +8,7 @@
 
 #include "PhotonTransport/filtration/Filtration.h"
 #include "PhotonTransport/scene/InvalidInput.h"
+#include "PhotonTransport/scene/Threads.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformationVector.h"
@@ -143,7 +144,8 @@ void vtkIlluminationMapSmoothing::Execute(
   try
   {
     std::vector<FilteredMap> filtered;
-    PhotonTransport::OnThreads(settings.threads,
+    PhotonTransport::Threads threads(settings.threads);
+    threads.Run(
       [&]
       {
         const PhotonTransport::SmoothingGraph graph(

@@ -4,14 +4,12 @@
 #include "PhotonTransport/filtration/DarkRegions.h"
 #include "PhotonTransport/filtration/ExpectedError.h"
 #include "PhotonTransport/filtration/NoiseModel.h"
-#include "PhotonTransport/filtration/Parallel.h"
 #include "PhotonTransport/filtration/ScaleSelection.h"
+#include "PhotonTransport/filtration/SpectralFilter.h"
 #include "PhotonTransport/filtration/VertexOrder.h"
 #include "PhotonTransport/scene/InvalidInput.h"
+#include "PhotonTransport/scene/Threads.h"
 #include "PhotonTransport/transport/TraceSettings.h"
-
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -244,12 +242,6 @@ void Validate(const FiltrationSettings& settings)
   RequireWithin("strength", settings.strength, 10.0);
   RequireWithin("width", settings.width, 50.0);
   RequireWithin("number of threads", settings.threads, MostThreads);
-}
-
-void OnThreads(int threads, const std::function<void()>& work)
-{
-  tbb::task_arena arena(threads > 0 ? threads : tbb::info::default_concurrency());
-  arena.execute(work);
 }
 
 std::vector<FilteredMap> Filtrate(const SmoothingGraph& graph, const std::vector<NoisyMap>& parts,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PhotonTransport/filtration/SpectralFilter.h"
+#include "PhotonTransport/filtration/FiltrationMonitor.h"
+#include "PhotonTransport/filtration/SmoothingGraph.h"
 #include "PhotonTransport/statistics/GroupMeans.h"
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,14 +24,11 @@ struct FiltrationSettings
   FiltrationMethod method = FiltrationMethod::Adaptive;
   double strength = 1.0; ///< Adaptive: 1 is the estimated optimum, [0, 10].
   double width = 4.0;    ///< Diffusion: standard deviation in vertex distances, [0, 50].
-  int threads = 0;       ///< For OnThreads, [0, MostThreads]; 0: all there are.
+  int threads = 0;       ///< For Threads, [0, MostThreads]; 0: all there are.
 };
 
 /// Throws InvalidInput that names the setting.
 void Validate(const FiltrationSettings& settings);
-
-/// Runs some work, such as Filtrate, on so many threads. @param threads 0: all there are.
-void OnThreads(int threads, const std::function<void()>& work);
 
 /// A part of the light (direct, indirect, or all of it) and what is known of its noise.
 struct NoisyMap

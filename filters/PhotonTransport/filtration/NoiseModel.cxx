@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/filtration/NoiseModel.h"
 
-#include "PhotonTransport/filtration/Parallel.h"
 #include "PhotonTransport/sampling/Philox.h"
+#include "PhotonTransport/scene/Threads.h"
 
 #include <cmath>
 
@@ -10,8 +10,6 @@ namespace PhotonTransport
 {
 namespace
 {
-
-using Group = std::array<float, Groups>;
 
 /// 1 or -1 for each group, the same in every run.
 Group RandomSigns(std::uint32_t vertex)

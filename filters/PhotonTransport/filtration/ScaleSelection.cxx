@@ -2,8 +2,8 @@
 #include "PhotonTransport/filtration/ScaleSelection.h"
 
 #include "PhotonTransport/filtration/CandidateMaps.h"
-#include "PhotonTransport/filtration/Parallel.h"
 #include "PhotonTransport/filtration/RelativeRisk.h"
+#include "PhotonTransport/scene/Threads.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/filtration/SmoothingGraph.h"
 
-#include "PhotonTransport/filtration/Parallel.h"
 #include "PhotonTransport/filtration/RingEdges.h"
 #include "PhotonTransport/scene/InvalidInput.h"
+#include "PhotonTransport/scene/Threads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ void RequireFinite(const std::vector<glm::dvec3>& points, const std::vector<glm:
 std::vector<Crossing> AllCrossings(const RingEdges& rings, std::size_t vertices)
 {
   std::vector<Crossing> crossings(vertices);
-  ForRanges(vertices,
+  ParallelFor(0, vertices,
     [&](std::size_t first, std::size_t last)
     {
       std::vector<RingEdge> edges;
@@ -142,7 +142,7 @@ void SmoothingGraph::FindAreas(const RingEdges& rings)
 void SmoothingGraph::Connect(const RingEdges& rings)
 {
   const std::vector<Crossing> crossings = AllCrossings(rings, this->Vertices());
-  ForRanges(this->Vertices(),
+  ParallelFor(0, this->Vertices(),
     [&](std::size_t first, std::size_t last)
     {
       std::vector<RingEdge> edges;

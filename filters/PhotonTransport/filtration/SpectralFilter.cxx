@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/filtration/SpectralFilter.h"
 
-#include "PhotonTransport/filtration/Parallel.h"
 #include "PhotonTransport/filtration/Row.h"
+#include "PhotonTransport/scene/Threads.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -115,7 +115,8 @@ template <std::size_t N>
 void Step(const SmoothingGraph& graph, bool isFirst, const Columns<N>& currentTerm,
   Columns<N>& termBefore, const std::vector<SeriesPart<N>>& parts)
 {
-  ForRanges(graph.Vertices(),
+  ParallelFor(
+    0, graph.Vertices(),
     [&](std::size_t first, std::size_t last)
     {
       // Stores could change what is reached through references; copies stay in registers.
@@ -138,7 +139,8 @@ void Step(const SmoothingGraph& graph, bool isFirst, const Columns<N>& currentTe
           sum.StoreTo(part->sums[v]);
         }
       }
-    });
+    },
+    SimpleCalls);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "PhotonTransport/filtration/Columns.h"
+#include "PhotonTransport/filtration/FiltrationMonitor.h"
 #include "PhotonTransport/filtration/SmoothingGraph.h"
 
 #include <cstddef>
@@ -34,9 +35,6 @@ public:
 private:
   std::vector<float> Coefficients;
 };
-
-/// Called between steps with the share of the work done; throws to end it.
-using FiltrationMonitor = std::function<void(double)>;
 
 /// Applies several filters to the same columns at the price of the longest, by Chebyshev's
 /// recurrence as in Hammond, Vandergheynst and Gribonval, "Wavelets on Graphs via Spectral Graph

@@ -2,6 +2,7 @@
 #include "PhotonTransport/lights/ConeLamps.h"
 
 #include "PhotonTransport/lights/LampChecks.h"
+#include "PhotonTransport/lights/PhotonStart.h"
 #include "PhotonTransport/sampling/Warps.h"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "PhotonTransport/lights/Lamp.h"
-#include "PhotonTransport/sampling/PhotonSample.h"
+#include "PhotonTransport/lights/PhotonStart.h"
 #include "PhotonTransport/scene/Scene.h"
 
 #include <cstdint>

@@ -3,6 +3,7 @@
 
 #include "PhotonTransport/lights/Clearance.h"
 #include "PhotonTransport/lights/LampChecks.h"
+#include "PhotonTransport/lights/PhotonStart.h"
 #include "PhotonTransport/sampling/Warps.h"
 
 #include <algorithm>
@@ -163,6 +164,16 @@ Prepared<MeshEmitter> EmittingMesh::Prepare(const Scene& scene) const
   }
   emitter.table = FluxTable(fluxes);
   return { std::move(emitter), sum * scene.SquareMetresPerSceneArea() };
+}
+
+std::uint32_t FacetEmitter::FacetOf(const PhotonSample& sample, const Share& share) const
+{
+  return this->facets[this->table.At(share.PlaceOf(sample))];
+}
+
+const Colour* FacetEmitter::OwnColour(const PhotonSample& sample, const Share& share) const
+{
+  return &this->scene->Exitance()[this->FacetOf(sample, share)];
 }
 
 Ray FacetEmitter::Emit(const PhotonSample& sample, const Share& share) const

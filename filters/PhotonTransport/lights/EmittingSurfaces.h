@@ -13,15 +13,9 @@ struct FacetEmitter
   const Scene* scene;
   std::vector<std::uint32_t> facets; ///< Those that shine.
   FluxTable table;                   ///< Chooses one of them.
-  std::uint32_t FacetOf(const PhotonSample& sample, const Share& share) const
-  {
-    return this->facets[this->table.At(share.PlaceOf(sample))];
-  }
+  std::uint32_t FacetOf(const PhotonSample& sample, const Share& share) const;
   Ray Emit(const PhotonSample& sample, const Share& share) const;
-  const Colour* OwnColour(const PhotonSample& sample, const Share& share) const
-  {
-    return &this->scene->Exitance()[this->FacetOf(sample, share)];
-  }
+  const Colour* OwnColour(const PhotonSample& sample, const Share& share) const;
 };
 
 /// Lambertian photons from triangles that are not part of the scene.

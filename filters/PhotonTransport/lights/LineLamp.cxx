@@ -3,6 +3,7 @@
 
 #include "PhotonTransport/lights/Clearance.h"
 #include "PhotonTransport/lights/LampChecks.h"
+#include "PhotonTransport/lights/PhotonStart.h"
 #include "PhotonTransport/sampling/Warps.h"
 
 #include <cmath>

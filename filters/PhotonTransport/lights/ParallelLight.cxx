@@ -3,6 +3,7 @@
 
 #include "PhotonTransport/geometry/BoundingCircle.h"
 #include "PhotonTransport/lights/LampChecks.h"
+#include "PhotonTransport/lights/PhotonStart.h"
 #include "PhotonTransport/sampling/Warps.h"
 
 namespace PhotonTransport

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/lights/PhotometricLamp.h"
 
+#include "PhotonTransport/lights/DirectionTable.h"
 #include "PhotonTransport/lights/LampChecks.h"
+#include "PhotonTransport/lights/PhotonStart.h"
 
 #include <algorithm>
 #include <cmath>

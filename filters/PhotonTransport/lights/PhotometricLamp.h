@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PhotonTransport/lights/DirectionTable.h"
 #include "PhotonTransport/lights/LampKind.h"
 #include "PhotonTransport/photometry/PhotometricSolid.h"
 
@@ -10,6 +9,8 @@
 
 namespace PhotonTransport
 {
+
+class DirectionTable;
 
 /// Photons from a point by a table of intensities.
 struct TableEmitter : LuminaireColoured

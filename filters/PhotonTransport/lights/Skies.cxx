@@ -2,7 +2,9 @@
 #include "PhotonTransport/lights/Skies.h"
 
 #include "PhotonTransport/lights/CieSkyLuminance.h"
+#include "PhotonTransport/lights/DirectionTable.h"
 #include "PhotonTransport/lights/LampChecks.h"
+#include "PhotonTransport/lights/PhotonStart.h"
 #include "PhotonTransport/sampling/Warps.h"
 
 #include <algorithm>

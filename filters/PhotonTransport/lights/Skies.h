@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PhotonTransport/lights/DirectionTable.h"
 #include "PhotonTransport/lights/LampKind.h"
 
 #include <memory>
 
 namespace PhotonTransport
 {
+
+class DirectionTable;
 
 /// Photons of uniform luminance from a hemisphere or sphere of directions onto the bounding ball.
 struct SkyEmitter : LuminaireColoured

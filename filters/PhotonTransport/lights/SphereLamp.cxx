@@ -2,6 +2,7 @@
 #include "PhotonTransport/lights/SphereLamp.h"
 
 #include "PhotonTransport/lights/LampChecks.h"
+#include "PhotonTransport/lights/PhotonStart.h"
 #include "PhotonTransport/sampling/Warps.h"
 
 namespace PhotonTransport

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "PhotonTransport/sampling/Philox.h"
+#include "PhotonTransport/sampling/Sampling.h"
 #include "PhotonTransport/sampling/Sobol.h"
 
 #include <array>
@@ -9,12 +10,6 @@
 
 namespace PhotonTransport
 {
-
-enum class Sampling : int
-{
-  Random = 0, ///< Independent numbers everywhere.
-  Sobol = 1   ///< Owen-scrambled Sobol points for the emission and the first scattering.
-};
 
 /// A number in [0, 1) from the 24 leading bits, which a float holds exactly.
 inline float UnitFloat(std::uint32_t bits)

@@ -84,7 +84,7 @@ bool Scene::FindFront(const Ray& ray, Hit& hit) const
       }
     }
   };
-  this->Bvh->ForEachNear(glm::vec3(point), static_cast<float>(gap), look);
+  this->ForEachNear(glm::vec3(point), static_cast<float>(gap), look);
   hit.facet = chosen != NoFacet ? chosen : hit.facet;
   return chosen != NoFacet;
 }

@@ -3,12 +3,10 @@
 
 #include "PhotonTransport/scene/FacetBundles.h"
 #include "PhotonTransport/scene/Outline.h"
-#include "PhotonTransport/scene/ParallelFor.h"
 #include "PhotonTransport/scene/PlaneTriangle.h"
+#include "PhotonTransport/scene/Threads.h"
 
 #include <glm/geometric.hpp>
-
-#include <oneapi/tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
 #include <cmath>
@@ -253,20 +251,19 @@ void ForEachOverlap(const FacetPlaces& places, const std::function<void(const Fa
   // through in their order, so that the result does not depend on the threads.
   const std::vector<const PlaneMember*> begins = Shares(places.groups);
   std::vector<std::vector<Bundle>> found(begins.size() - 1);
-  tbb::enumerable_thread_specific<Outline> outlines(
-    [&] { return Outline(places.points, places.facets); });
+  PerThread<Outline> outlines(MostThreadIndices(), Outline(places.points, places.facets));
   ParallelFor(0, found.size(),
-    [&](const tbb::blocked_range<std::uint64_t>& range)
+    [&](std::uint64_t begin, std::uint64_t end)
     {
-      Outline& outline = outlines.local();
-      ForEachGroup(begins[range.begin()], begins[range.end()],
+      Outline& outline = outlines.Own();
+      ForEachGroup(begins[begin], begins[end],
         [&](const PlaneMember* first, const PlaneMember* last)
         {
           for (Bundle& bundle : BundlesOf(places.planes, first, last))
           {
             if (bundle.facets.size() > 1 && BundleSearch(places, bundle).MayHaveAny(outline))
             {
-              found[range.begin()].push_back(std::move(bundle));
+              found[begin].push_back(std::move(bundle));
             }
           }
         });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/Scene.h"
 
+#include "PhotonTransport/scene/EmbreeScene.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>

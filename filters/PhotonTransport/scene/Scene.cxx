@@ -2,6 +2,7 @@
 #include "PhotonTransport/scene/Scene.h"
 
 #include "PhotonTransport/materials/Scattering.h"
+#include "PhotonTransport/scene/EmbreeScene.h"
 #include "PhotonTransport/scene/FacetSide.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/scene/LargeFacets.h"
@@ -186,8 +187,22 @@ void Scene::BuildBvh(std::vector<glm::vec3> positions)
     indices.push_back(facet.vertices);
   }
   std::vector<FacetPart> parts = PartsOfLargeFacets(positions, indices, this->LeastReach);
-  this->Bvh.emplace(std::move(positions), std::move(indices), std::move(parts));
+  this->Bvh =
+    std::make_unique<EmbreeScene>(std::move(positions), std::move(indices), std::move(parts));
 }
+
+void Scene::Intersect(const Ray* rays, Hit* hits, std::size_t count) const
+{
+  this->Bvh->Intersect(rays, hits, count);
+}
+
+void Scene::ForEachNear(
+  const glm::vec3& point, float distance, const std::function<void(std::uint32_t)>& f) const
+{
+  this->Bvh->ForEachNear(point, distance, f);
+}
+
+Scene::~Scene() = default;
 
 double Scene::SquareMetresPerSceneArea() const
 {

@@ -5,7 +5,7 @@
 #include "PhotonTransport/geometry/Placement.h"
 #include "PhotonTransport/materials/Material.h"
 #include "PhotonTransport/scene/DataRounding.h"
-#include "PhotonTransport/scene/EmbreeScene.h"
+#include "PhotonTransport/scene/Ray.h"
 #include "PhotonTransport/scene/SceneNotes.h"
 #include "PhotonTransport/scene/SceneRecords.h"
 #include "PhotonTransport/scene/Surface.h"
@@ -16,12 +16,14 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace PhotonTransport
 {
 
+class EmbreeScene;
 struct FacetOverlap;
 class NearOverlaps;
 
@@ -31,19 +33,14 @@ class Scene
 public:
   /// Throws InvalidInput (see Validate) or std::runtime_error (Embree).
   explicit Scene(const Surface& surface);
+  ~Scene();
 
   /// See EmbreeScene::Intersect.
-  void Intersect(const Ray* rays, Hit* hits, std::size_t count) const
-  {
-    this->Bvh->Intersect(rays, hits, count);
-  }
+  void Intersect(const Ray* rays, Hit* hits, std::size_t count) const;
 
   /// See EmbreeScene::ForEachNear.
   void ForEachNear(
-    const glm::vec3& point, float distance, const std::function<void(std::uint32_t)>& f) const
-  {
-    this->Bvh->ForEachNear(point, distance, f);
-  }
+    const glm::vec3& point, float distance, const std::function<void(std::uint32_t)>& f) const;
 
   /// Where two sheets of a wall lie in one place, a ray may meet the wrong one. This moves a hit on
   /// the back of a facet to the facet in that place whose front the ray meets, and returns whether
@@ -215,7 +212,7 @@ private:
   /// By facet: how far those that it shares its place with are off its plane at most; or empty.
   std::vector<float> Apart;
   std::vector<std::uint32_t> Dropped; ///< Facets of the surface that were left out.
-  std::optional<EmbreeScene> Bvh;
+  std::unique_ptr<EmbreeScene> Bvh;
 };
 
 } // namespace PhotonTransport

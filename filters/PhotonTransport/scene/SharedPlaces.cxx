@@ -5,9 +5,9 @@
 #include "PhotonTransport/scene/DoubleSheets.h"
 #include "PhotonTransport/scene/NearOverlaps.h"
 #include "PhotonTransport/scene/OverlappingFacets.h"
-#include "PhotonTransport/scene/ParallelFor.h"
 #include "PhotonTransport/scene/PlaneTriangle.h"
 #include "PhotonTransport/scene/Scene.h"
+#include "PhotonTransport/scene/Threads.h"
 
 #include <glm/geometric.hpp>
 
@@ -162,17 +162,14 @@ void Scene::FindSharedPlaces(const std::vector<glm::vec3>& positions)
 {
   std::vector<FacetPlane> planes(this->FacetRecords.size());
   std::vector<glm::uvec3> facets(this->FacetRecords.size());
-  ParallelFor(0, planes.size(),
-    [&](const tbb::blocked_range<std::uint64_t>& range)
+  ForEach(planes.size(),
+    [&](std::size_t f)
     {
-      for (std::uint64_t f = range.begin(); f < range.end(); ++f)
-      {
-        const Facet& facet = this->FacetRecords[f];
-        const glm::uvec3& ids = facet.vertices;
-        planes[f] = PlaneOf(
-          positions[ids.x], positions[ids.y], positions[ids.z], facet.normal, this->Rounding);
-        facets[f] = ids;
-      }
+      const Facet& facet = this->FacetRecords[f];
+      const glm::uvec3& ids = facet.vertices;
+      planes[f] =
+        PlaneOf(positions[ids.x], positions[ids.y], positions[ids.z], facet.normal, this->Rounding);
+      facets[f] = ids;
     });
   const std::vector<PlaneMember> groups = SharedPlanes(planes);
   this->DoubleSheets = FacetsOfDoubleSheets(planes, groups);
@@ -260,7 +257,7 @@ void Scene::FindSharers(Hit& hit, std::vector<Sharer>& sharers) const
   const PlaceOfHit place = this->PlaceOf(hit);
   const float lift = hit.part == NoPartButLifted ? hit.inPart.x : 0.0f; // see FindFront
   // Seen along the axis a facet may be farther from the point than its plane is.
-  this->Bvh->ForEachNear(glm::vec3(place.point), static_cast<float>(place.near + 2.0 * place.apart),
+  this->ForEachNear(glm::vec3(place.point), static_cast<float>(place.near + 2.0 * place.apart),
     [&](std::uint32_t f)
     {
       if (const auto there = this->WithinShared(f, place))

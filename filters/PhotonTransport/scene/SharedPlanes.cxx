@@ -138,7 +138,9 @@ std::vector<PlaneMember> SharedPlanes(const std::vector<FacetPlane>& planes)
         }
       });
   }
-  tbb::parallel_sort(members.begin(), members.end()); // no two are equal, so there is one order
+  // No two are equal, so there is one order. Only integers are compared, which the floating-point
+  // settings of threads do not concern.
+  tbb::parallel_sort(members.begin(), members.end());
   std::vector<PlaneMember> groups;
   ForEachGroup(members,
     [&](const PlaneMember* first, const PlaneMember* last)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/materials/Scattering.h"
-#include "PhotonTransport/scene/ParallelFor.h"
 #include "PhotonTransport/scene/Scene.h"
+#include "PhotonTransport/scene/Threads.h"
 
 #include <glm/geometric.hpp>
 
@@ -200,9 +200,9 @@ void Scene::FindThinGaps()
   const std::size_t facets = this->FacetRecords.size();
   std::vector<ThinGaps> chunks((facets + Chunk - 1) / Chunk);
   ParallelFor(0, chunks.size(),
-    [&](const tbb::blocked_range<std::uint64_t>& range)
+    [&](std::uint64_t begin, std::uint64_t end)
     {
-      for (std::uint64_t c = range.begin(); c < range.end(); ++c)
+      for (std::uint64_t c = begin; c < end; ++c)
       {
         chunks[c] = Search(*this).Run(static_cast<std::uint32_t>(c * Chunk),
           static_cast<std::uint32_t>(std::min((c + 1) * Chunk, facets)));

@@ -3,10 +3,13 @@
 
 #include "PhotonTransport/effects/Effects.h"
 #include "PhotonTransport/materials/Scattering.h"
+#include "PhotonTransport/refinement/Subdivision.h"
+#include "PhotonTransport/registration/IlluminationSums.h"
 #include "PhotonTransport/scene/InvalidInput.h"
+#include "PhotonTransport/scene/SceneRecords.h"
+#include "PhotonTransport/scene/Threads.h"
 
 #include <glm/vec2.hpp>
-#include <oneapi/tbb/info.h>
 
 #include <algorithm>
 #include <fstream>
@@ -94,8 +97,7 @@ std::uint64_t MemoryNeed(
   const Surface& surface, const Lighting& lighting, const TraceSettings& settings)
 {
   const std::uint64_t sides = settings.registerBackSide ? 2 : 1;
-  const auto threads = static_cast<std::uint64_t>(
-    settings.threads > 0 ? settings.threads : tbb::info::default_concurrency());
+  const auto threads = static_cast<std::uint64_t>(ThreadCount(settings.threads));
   const std::uint64_t sumsPerVertex = (settings.replicates + threads) * sides * sizeof(VertexSums);
   const bool colour = SimulatesColour(AnyFacetIsColoured(surface), lighting, settings);
   const std::uint64_t lamps = settings.lampsApart ? lighting.luminaires.size() : 0;

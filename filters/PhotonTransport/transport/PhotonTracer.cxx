@@ -2,12 +2,8 @@
 #include "PhotonTransport/transport/PhotonTracer.h"
 
 #include "PhotonTransport/scene/InvalidInput.h"
-#include "PhotonTransport/scene/ParallelFor.h"
+#include "PhotonTransport/scene/Threads.h"
 #include "PhotonTransport/transport/CompiledWalks.h"
-
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -67,36 +63,26 @@ void RequireIlluminanceInRange(const Scene& scene, double flux)
   }
 }
 
-int ThreadCount(const TraceSettings& settings)
-{
-  return settings.threads > 0 ? settings.threads : tbb::info::default_concurrency();
-}
-
 } // namespace
 
-/// The threads, each with its own sums: one map shared by atomic additions would cost 16 %.
-struct PhotonTracer::Workers
+struct PhotonTracer::Implementation
 {
-  explicit Workers(int threads)
-    : limit(MoreThanCores(threads))
-    , arena(threads)
-    , sums(static_cast<std::size_t>(threads))
+  Implementation(const Scene& scene, const Lighting& lighting, const Effects& effects,
+    const TraceSettings& settings)
+    : source(lighting, scene, effects.colour)
+    , walk(settings.mostGeneralWalk ? Walk::General : WalkFor(effects))
+    , materials(MakeRoulettes(scene, this->walk, effects.colouredFacets))
+    , workers(settings.threads)
+    , workerSums(ThreadCount(settings.threads))
   {
   }
 
-  /// oneTBB by itself never runs more threads than there are cores.
-  static std::unique_ptr<tbb::global_control> MoreThanCores(int threads)
-  {
-    constexpr auto Limit = tbb::global_control::max_allowed_parallelism;
-    const auto wanted = static_cast<std::size_t>(threads);
-    return wanted > tbb::global_control::active_value(Limit)
-      ? std::make_unique<tbb::global_control>(Limit, wanted)
-      : nullptr;
-  }
-
-  std::unique_ptr<tbb::global_control> limit;
-  tbb::task_arena arena;
-  std::vector<IlluminationSums> sums;
+  Emitter source;
+  Walk walk;
+  FacetRoulettes materials;
+  Threads workers;
+  /// Each thread has sums of its own: sharing one map by atomic additions costs 16 %.
+  PerThread<IlluminationSums> workerSums;
 };
 
 PhotonTracer::PhotonTracer(
@@ -104,24 +90,23 @@ PhotonTracer::PhotonTracer(
   : LitScene(scene)
   , Settings(Validated(settings))
   , EffectsFound(AnalyseEffects(scene, lighting, settings))
-  , Source(lighting, scene, this->EffectsFound.colour)
-  , OwnWalk(settings.mostGeneralWalk ? Walk::General : WalkFor(this->EffectsFound))
-  , Materials(MakeRoulettes(scene, this->OwnWalk, this->EffectsFound.colouredFacets))
-  , Pool(MakeProcessPtr<Workers>(ThreadCount(settings)))
+  , Impl(std::make_unique<Implementation>(scene, lighting, this->EffectsFound, settings))
 {
   RequireIlluminanceInRange(scene, this->Flux());
-  for (IlluminationSums& sums : this->Pool->sums)
-  {
-    sums = this->EmptySums();
-  }
+  this->Impl->workerSums.Fill(this->EmptySums());
 }
 
 PhotonTracer::~PhotonTracer() = default;
 
+double PhotonTracer::Flux() const
+{
+  return this->Impl->source.Flux();
+}
+
 IlluminationSums PhotonTracer::EmptySums() const
 {
   const std::size_t vertices = this->LitScene.Vertices().size();
-  const std::size_t lamps = this->Source.Lamps();
+  const std::size_t lamps = this->Impl->source.Lamps();
   return { vertices, this->Settings.registerBackSide, lamps,
     { vertices, this->EffectsFound.colour, this->Settings.lampsApart ? lamps : 0 } };
 }
@@ -132,7 +117,7 @@ std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp)
   PhotonSample sample({ this->Settings.seed, 0, this->Settings.sampling }, 0);
   for (std::uint64_t photon = 0; photon < Tries; ++photon, sample.Advance())
   {
-    const Emission emission = this->Source.Emit(sample);
+    const Emission emission = this->Impl->source.Emit(sample);
     if (emission.lamp != lamp)
     {
       continue;
@@ -146,8 +131,8 @@ std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp)
     const Facet& facet = this->LitScene.Facets()[hit.facet];
     const bool front = glm::dot(emission.ray.direction, facet.normal) < 0.0f ||
       this->LitScene.PreferFront(emission.ray, hit);
-    const bool translucent = !this->Materials.ofFacet.empty() &&
-      this->Materials.roulettes[this->Materials.ofFacet[hit.facet]].translucent;
+    const bool translucent = !this->Impl->materials.ofFacet.empty() &&
+      this->Impl->materials.roulettes[this->Impl->materials.ofFacet[hit.facet]].translucent;
     if (!front && !translucent)
     {
       return facet.vertices;
@@ -159,21 +144,20 @@ std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp)
 bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
   IlluminationSums& sums, const Monitor& monitor, LightLayers* layers)
 {
-  const WalkSettings walk{ this->LitScene, this->Materials, this->Source,
+  const WalkSettings walk{ this->LitScene, this->Impl->materials, this->Impl->source,
     { this->Settings.seed, replicate, this->Settings.sampling }, this->Settings.maximumPathLength,
     this->EffectsFound.simulated };
-  const BlockTracer traceBlock = CompiledWalk(this->OwnWalk,
+  const BlockTracer traceBlock = CompiledWalk(this->Impl->walk,
     this->Settings.mostGeneralWalk ? this->Settings.registration : this->EffectsFound.registration,
     this->Settings.registerBackSide);
   std::atomic<bool> goOn{ true };
   std::atomic<std::uint64_t> done{ 0 };
   const std::thread::id caller = std::this_thread::get_id();
 
-  const auto work = [&](const tbb::blocked_range<std::uint64_t>& blocks)
+  const auto work = [&](std::uint64_t begin, std::uint64_t end)
   {
-    const auto thread = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
-    IlluminationSums& own = this->Pool->sums[thread];
-    for (std::uint64_t block = blocks.begin(); block < blocks.end() && goOn; ++block)
+    IlluminationSums& own = this->Impl->workerSums.Own();
+    for (std::uint64_t block = begin; block < end && goOn; ++block)
     {
       traceBlock(
         walk, this->Settings.weightBound, block * PhotonBlock, (block + 1) * PhotonBlock, own);
@@ -184,8 +168,8 @@ bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint
       }
     }
   };
-  this->Pool->arena.execute([&] { ParallelFor(first, first + count, work); });
-  for (IlluminationSums& own : this->Pool->sums)
+  this->Impl->workers.Run([&] { ParallelFor(first, first + count, work); });
+  for (IlluminationSums& own : this->Impl->workerSums)
   {
     MoveInto(sums, layers ? *layers : sums.layers, own);
   }

@@ -2,18 +2,15 @@
 #pragma once
 
 #include "PhotonTransport/effects/Effects.h"
-#include "PhotonTransport/lights/Emitter.h"
+#include "PhotonTransport/lights/Lamp.h"
 #include "PhotonTransport/registration/IlluminationSums.h"
-#include "PhotonTransport/scene/ProcessEnd.h"
 #include "PhotonTransport/scene/Scene.h"
 #include "PhotonTransport/transport/TraceSettings.h"
-#include "PhotonTransport/transport/Walk.h"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace PhotonTransport
 {
@@ -46,7 +43,7 @@ public:
   /// Its layers are channels, where the scene calls for colour, and lamps, where the settings ask
   /// for them apart.
   IlluminationSums EmptySums() const;
-  double Flux() const { return this->Source.Flux(); }
+  double Flux() const;
   const Effects& EffectsInUse() const { return this->EffectsFound; }
 
   /// The corners of one facet on whose back light of a lamp first arrives, as an example for
@@ -54,14 +51,11 @@ public:
   std::optional<glm::uvec3> CornersLitFromBehind(std::uint32_t lamp) const;
 
 private:
-  struct Workers;
+  struct Implementation;
   const Scene& LitScene;
   TraceSettings Settings;
   Effects EffectsFound;
-  Emitter Source;
-  Walk OwnWalk;
-  FacetRoulettes Materials;
-  ProcessPtr<Workers> Pool;
+  std::unique_ptr<Implementation> Impl;
 };
 
 } // namespace PhotonTransport

@@ -2,7 +2,7 @@
 #include "PhotonTransport/transport/ReplicateSums.h"
 
 #include "PhotonTransport/materials/Colour.h"
-#include "PhotonTransport/scene/ParallelFor.h"
+#include "PhotonTransport/scene/Threads.h"
 #include "PhotonTransport/statistics/FewHits.h"
 #include "PhotonTransport/statistics/ReplicateStatistics.h"
 
@@ -20,15 +20,12 @@ namespace
 template <typename F>
 void ForEachWithArea(const std::vector<double>& areas, const F& f)
 {
-  ParallelFor(0, areas.size(),
-    [&](const tbb::blocked_range<std::uint64_t>& range)
+  ForEach(areas.size(),
+    [&](std::size_t v)
     {
-      for (std::size_t v = range.begin(); v < range.end(); ++v)
+      if (areas[v] > 0.0)
       {
-        if (areas[v] > 0.0)
-        {
-          f(v);
-        }
+        f(v);
       }
     });
 }
@@ -220,9 +217,8 @@ bool ReplicateSums::AreFull() const
   std::atomic<bool> full = false;
   const auto look = [&](Side side)
   {
-    const auto range = [&](const tbb::blocked_range<std::uint64_t>& vertices)
-    {
-      for (std::size_t v = vertices.begin(); v < vertices.end(); ++v)
+    ForEach((this->replicates.front().*side).size(),
+      [&](std::size_t v)
       {
         FixedPoint sum = 0;
         for (const IlluminationSums& replicate : this->replicates)
@@ -233,9 +229,7 @@ bool ReplicateSums::AreFull() const
         {
           full = true;
         }
-      }
-    };
-    ParallelFor(0, (this->replicates.front().*side).size(), range);
+      });
   };
   look(&IlluminationSums::front);
   look(&IlluminationSums::back);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "PhotonTransport/effects/EffectSettings.h"
-#include "PhotonTransport/sampling/PhotonSample.h"
+#include "PhotonTransport/sampling/Sampling.h"
 
 #include <cstdint>
 

@@ -5,7 +5,7 @@
 #include "PhotonTransport/materials/Scattering.h"
 #include "PhotonTransport/registration/Arrivals.h"
 #include "PhotonTransport/registration/PhotonBalance.h"
-#include "PhotonTransport/registration/Registration.h"
+#include "PhotonTransport/registration/Registrar.h"
 #include "PhotonTransport/sampling/PhotonSample.h"
 #include "PhotonTransport/scene/Scene.h"
 

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PhotonTransport/registration/IlluminationSums.h"
+#include "PhotonTransport/registration/Registration.h"
+#include "PhotonTransport/scene/Scene.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace PhotonTransport
+{
+
+/// Area that the ring of `v` shows to light arriving from `towards`, over its whole area:
+/// sum (towards . a_f)^+ / sum |a_f|. Only grazing light needs this sum over the ring; otherwise
+/// Vertex::shownArea gives the same.
+inline float ShownArea(const Scene& scene, std::uint32_t v, const glm::vec3& towards)
+{
+  float sums[4] = {};
+  for (const RingAreas& four : scene.AreasOfRing(v))
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      const float shown = towards.x * four.x[i] + towards.y * four.y[i] + towards.z * four.z[i];
+      sums[i] += shown > 0.0f ? shown : 0.0f;
+    }
+  }
+  return (sums[0] + sums[1] + sums[2] + sums[3]) * scene.Vertices()[v].inverseThreeAreas;
+}
+
+/// The weights of HitWeights for Registration::FacetRatio.
+inline glm::vec3 FacetRatioWeights(
+  const Scene& scene, const Facet& facet, const glm::vec3& barycentric, const glm::vec3& towards)
+{
+  glm::vec3 smooth(0.0f);
+  int flatCorners = 0;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const Vertex& vertex = scene.Vertices()[facet.vertices[corner]];
+    smooth += barycentric[corner] * vertex.normal;
+    flatCorners += vertex.IsFlat();
+  }
+  if (flatCorners == 3)
+  {
+    return barycentric;
+  }
+  const float length = glm::length(smooth);
+  const float cosSmooth = glm::dot(towards, smooth);
+  if (!(cosSmooth > 0.0f && length > 0.0f))
+  {
+    return glm::vec3(0.0f);
+  }
+  const float cosFlat = std::max(0.0f, glm::dot(towards, facet.normal));
+  // Formula (2) as its text means it: the first s_norm is the smooth normal, the second the flat.
+  return std::min(cosSmooth / (length * cosFlat), LargestFactor) * barycentric;
+}
+
+/// The weights of HitWeights for Registration::VertexNormalised.
+inline glm::vec3 VertexNormalisedWeights(
+  const Scene& scene, const Facet& facet, const glm::vec3& barycentric, const glm::vec3& towards)
+{
+  glm::vec3 weights(0.0f);
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const std::uint32_t v = facet.vertices[corner];
+    const Vertex& vertex = scene.Vertices()[v];
+    if (vertex.IsFlat())
+    {
+      weights[corner] = barycentric[corner];
+      continue;
+    }
+    const float cosine = glm::dot(towards, vertex.normal);
+    if (!(cosine > 0.0f))
+    {
+      continue;
+    }
+    const float shown =
+      cosine >= vertex.sinTilt ? glm::dot(towards, vertex.shownArea) : ShownArea(scene, v, towards);
+    // The hit facet is in the ring, so only rounding at grazing incidence can bring this to 0.
+    weights[corner] = barycentric[corner] * std::min(cosine / std::max(0.0f, shown), LargestFactor);
+  }
+  return weights;
+}
+
+/// Weights of one hit for the three vertices of its facet, before the bound. Each is within
+/// [0, LargestFactor] times its barycentric coordinate. @param towards Unit, on the front of the
+/// facet: back along the ray for a hit on the front, along it for a hit on the back.
+template <Registration RegistrationKind>
+glm::vec3 HitWeights(
+  const Scene& scene, const Facet& facet, const glm::vec3& barycentric, const glm::vec3& towards)
+{
+  if constexpr (RegistrationKind == Registration::Flat)
+  {
+    return barycentric;
+  }
+  else if constexpr (RegistrationKind == Registration::FacetRatio)
+  {
+    return FacetRatioWeights(scene, facet, barycentric, towards);
+  }
+  else
+  {
+    return VertexNormalisedWeights(scene, facet, barycentric, towards);
+  }
+}
+
+/// Where a photon comes from, as far as registration needs it.
+struct PhotonOrigin
+{
+  std::uint32_t lamp = 0;
+  std::uint16_t channel = 0;
+  bool direct = true; ///< Straight from the lamp, or through thin panes.
+  /// Whether Arrivals has counted it. Only walks keep this in which facets let light through.
+  bool arrived = false;
+};
+
+/// Adds hits to one thread's sums.
+template <Registration RegistrationKind, bool BackSide>
+class Registrar
+{
+public:
+  /// @param weightBound Largest factor by which compensation may raise a hit; >= 1.
+  Registrar(const Scene& scene, float weightBound, IlluminationSums& sums)
+    : LitScene(scene)
+    , WeightBound(weightBound)
+    , Sums(sums)
+    , Layers(sums.layers)
+  {
+  }
+
+  /// @param corners The corners of the facet that count, as bits: 1 << i for corner i.
+  void operator()(const Ray& ray, const Hit& hit, bool front, const PhotonOrigin& photon,
+    unsigned corners = AllCorners) const
+  {
+    if (front)
+    {
+      this->Register(
+        hit, -ray.direction, photon, this->Sums.front, this->Layers.perVertex > 0, corners);
+    }
+    else if constexpr (BackSide)
+    {
+      this->Register(hit, ray.direction, photon, this->Sums.back, false, corners);
+    }
+  }
+
+  /// Brings what operator() will need of a hit into the cache.
+  void Prefetch(const Hit& hit) const
+  {
+    if (hit)
+    {
+      const Facet& facet = this->LitScene.Facets()[hit.facet];
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        this->LitScene.PrefetchVertex(facet.vertices[corner]);
+        __builtin_prefetch(&this->Sums.front[facet.vertices[corner]], 1);
+      }
+    }
+  }
+
+private:
+  void Register(const Hit& hit, const glm::vec3& towards, const PhotonOrigin& photon,
+    std::vector<VertexSums>& map, bool layers, unsigned corners) const
+  {
+    const Facet& facet = this->LitScene.Facets()[hit.facet];
+    const glm::vec3 weights =
+      HitWeights<RegistrationKind>(this->LitScene, facet, hit.barycentric, towards);
+    FixedPoint rounded[3] = {};
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      if (((corners >> corner) & 1u) == 0)
+      {
+        continue;
+      }
+      float weight = weights[corner];
+      if constexpr (RegistrationKind != Registration::Flat)
+      {
+        const float most = this->WeightBound * hit.barycentric[corner];
+        if (weight > most)
+        {
+          this->Sums.cutByWeightBound += ToCoarseFixedPoint(weight - most);
+          weight = most;
+        }
+      }
+      VertexSums& vertex = map[facet.vertices[corner]];
+      rounded[corner] = ToFixedPoint(weight);
+      (photon.direct ? vertex.direct : vertex.indirect) += rounded[corner];
+      ++vertex.hits;
+    }
+    if (layers)
+    {
+      this->AddToLayers(facet, photon, rounded);
+    }
+  }
+
+  void AddToLayers(
+    const Facet& facet, const PhotonOrigin& photon, const FixedPoint (&weights)[3]) const
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      FixedPoint* own = &this->Layers.sums[facet.vertices[corner] * this->Layers.perVertex];
+      if (this->Layers.HasColour())
+      {
+        own[photon.channel] += weights[corner];
+      }
+      if (this->Layers.HasLamps())
+      {
+        own[this->Layers.firstLamp + photon.lamp] += weights[corner];
+      }
+    }
+  }
+
+  const Scene& LitScene;
+  float WeightBound;
+  IlluminationSums& Sums;
+  LightLayers& Layers;
+};
+
+} // namespace PhotonTransport
