@@ -9,7 +9,7 @@
 #include "Shapes.h"
 
 #include "PhotonTransport/filtration/Filtration.h"
-#include "PhotonTransport/scene/Threads.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include <sys/resource.h>
 

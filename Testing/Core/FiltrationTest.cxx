@@ -4,7 +4,7 @@
 #include "PhotonTransport/filtration/DarkRegions.h"
 #include "PhotonTransport/filtration/PhotonNoise.h"
 #include "PhotonTransport/scene/InvalidInput.h"
-#include "PhotonTransport/scene/Threads.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include "PhotonMap.h"
 #include "Shapes.h"

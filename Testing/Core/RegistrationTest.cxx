@@ -45,9 +45,12 @@ TEST(HitWeights, AreBarycentricOnAFlatSurface)
     for (const Facet& facet : scene.Facets())
     {
       const glm::vec3 b(0.2f, 0.3f, 0.5f);
-      const auto ratio = HitWeights<Registration::FacetRatio>(scene, facet, b, towards);
-      const auto vertex = HitWeights<Registration::VertexNormalised>(scene, facet, b, towards);
-      EXPECT_EQ((HitWeights<Registration::Flat>(scene, facet, b, towards)), b);
+      const auto ratio =
+        HitWeights<Registration::FacetRatio>(scene, { facet.vertices, b }, facet.normal, towards);
+      const auto vertex = HitWeights<Registration::VertexNormalised>(
+        scene, { facet.vertices, b }, facet.normal, towards);
+      EXPECT_EQ(
+        (HitWeights<Registration::Flat>(scene, { facet.vertices, b }, facet.normal, towards)), b);
       for (int corner = 0; corner < 3; ++corner)
       {
         EXPECT_NEAR(ratio[corner], b[corner], 1e-5f);
@@ -67,7 +70,9 @@ TEST(HitWeights, FacetRatioIsTheQuotientOfCosines)
   const glm::vec3 smooth = scene.Vertices()[facet.vertices.x].normal;
   const glm::vec3 towards = glm::normalize(facet.normal + 0.5f * smooth);
   const float m = glm::dot(towards, smooth) / glm::dot(towards, facet.normal);
-  EXPECT_NEAR(Total(HitWeights<Registration::FacetRatio>(scene, facet, corner, towards)), m, 1e-5f);
+  EXPECT_NEAR(Total(HitWeights<Registration::FacetRatio>(
+                scene, { facet.vertices, corner }, facet.normal, towards)),
+    m, 1e-5f);
   EXPECT_GT(std::fabs(m - 1.0f), 0.01f);
 }
 
@@ -109,7 +114,8 @@ TEST(HitWeights, VertexNormalisedIsBoundedWhereNormalsFollowTheRing)
       {
         continue;
       }
-      const auto w = HitWeights<Registration::VertexNormalised>(scene, facet, Middle, towards);
+      const auto w = HitWeights<Registration::VertexNormalised>(
+        scene, { facet.vertices, Middle }, facet.normal, towards);
       for (int corner = 0; corner < 3; ++corner)
       {
         const Vertex& vertex = scene.Vertices()[facet.vertices[corner]];
@@ -148,8 +154,9 @@ double SecondMoment(const Scene& scene, const glm::vec3& barycentric, float boun
     const double sine = std::sqrt(1.0 - cosine * cosine);
     const glm::vec3 towards =
       frame.ToWorld(glm::dvec3(sine * std::cos(azimuth), sine * std::sin(azimuth), cosine));
-    const double m =
-      std::min(bound, Total(HitWeights<RegistrationKind>(scene, facet, barycentric, towards)));
+    const double m = std::min(bound,
+      Total(HitWeights<RegistrationKind>(
+        scene, { facet.vertices, barycentric }, facet.normal, towards)));
     sum += m * m * 2.0 * cosine * cosine * Decades / (Rings * Around);
   }
   return sum;
@@ -193,8 +200,10 @@ TEST(HitWeights, TreatBothSidesAlike)
     const Facet& out = outward.Facets()[f];
     const Facet& in = inward.Facets()[f];
     const glm::vec3 towards = glm::normalize(glm::vec3(0.3f, 0.2f, -0.1f) - out.normal);
-    const auto back = HitWeights<Registration::VertexNormalised>(outward, out, Middle, -towards);
-    const auto front = HitWeights<Registration::VertexNormalised>(inward, in, Middle, towards);
+    const auto back = HitWeights<Registration::VertexNormalised>(
+      outward, { out.vertices, Middle }, out.normal, -towards);
+    const auto front = HitWeights<Registration::VertexNormalised>(
+      inward, { in.vertices, Middle }, in.normal, towards);
     EXPECT_NEAR(Total(back), Total(front), 1e-5f);
   }
 }

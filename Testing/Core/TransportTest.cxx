@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/InvalidInput.h"
-#include "PhotonTransport/scene/Threads.h"
+#include "PhotonTransport/threads/Threads.h"
 #include "PhotonTransport/statistics/ReplicateStatistics.h"
 #include "PhotonTransport/transport/PhotonTracer.h"
 

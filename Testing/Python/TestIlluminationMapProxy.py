@@ -33,6 +33,7 @@ NOT_DEFAULT = {
     "Refraction": (0, False),
     "Colour": (0, False),
     "LampContributions": (1, True),
+    "CurvedSurface": (1, True),
     "RegisterBackSide": (1, True),
     "GroupMeans": (1, True),
     "MetresPerUnit": 0.001,

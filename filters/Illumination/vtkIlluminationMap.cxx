@@ -10,6 +10,7 @@
 #include "Illumination/pipeline/InputError.h"
 #include "Illumination/pipeline/Pipeline.h"
 
+#include "PhotonTransport/scene/CurvedSurface.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/scene/Scene.h"
 #include "PhotonTransport/transport/IlluminationRun.h"
@@ -77,17 +78,19 @@ vtkMTimeType LatestChange(vtkDataObject* data)
 /// photons.
 struct vtkIlluminationMap::KeptRun
 {
-  KeptRun(const SceneBlocks& blocks, const PhotonTransport::Lighting& lighting,
-    const PhotonTransport::TraceSettings& settings, Origins madeFrom)
-    : Scene(blocks.Surface())
+  KeptRun(const PhotonTransport::Surface& surface, const PhotonTransport::Lighting& lighting,
+    const PhotonTransport::TraceSettings& settings, Origins madeFrom, std::uint64_t memoryNeed)
+    : Scene(surface)
     , Run(this->Scene, lighting, settings)
     , MadeFrom(std::move(madeFrom))
+    , MemoryNeed(memoryNeed)
   {
   }
 
   PhotonTransport::Scene Scene;
   PhotonTransport::IlluminationRun Run;
   Origins MadeFrom;
+  std::uint64_t MemoryNeed; ///< Without group means.
 };
 
 vtkIlluminationMap::vtkIlluminationMap()
@@ -222,21 +225,27 @@ std::uint64_t vtkIlluminationMap::PrepareRun(const SceneBlocks& blocks,
 {
   const PhotonTransport::TraceSettings settings = this->MakeTraceSettings();
   Validate(settings);
-  const std::uint64_t forGroups = this->GroupMeans ? PhotonTransport::GroupMeansPerVertex : 0;
-  const std::uint64_t need = PhotonTransport::MemoryNeed(blocks.Surface(), lighting, settings) +
-    blocks.Surface().points.size() * forGroups;
+  const std::uint64_t forGroups =
+    this->GroupMeans ? blocks.Surface().points.size() * PhotonTransport::GroupMeansPerVertex : 0;
   const std::uint64_t memoryLimit = this->MemoryLimitInBytes();
   if (!this->Kept || this->Kept->MadeFrom != origins || !this->Kept->Run.CanGoOnTo(photons))
   {
     this->Kept.reset(); // first, so that two never share the memory
+    const PhotonTransport::Surface surface = this->CurvedSurface
+      ? PhotonTransport::CurvedSurface(
+          blocks.Surface(), PhotonTransport::MostRefinedFacets(memoryLimit))
+      : blocks.Surface();
+    const std::uint64_t needOfRun = PhotonTransport::MemoryNeed(surface, lighting, settings);
+    const std::uint64_t need = needOfRun + forGroups;
     PhotonTransport::RequireMemory(need, memoryLimit);
     const std::string text =
       "Building the scene, up to " + std::to_string(need >> 20) + " MiB of memory";
     this->SetProgressText(text.c_str());
     this->UpdateProgress(0.0);
-    this->Kept = std::make_unique<KeptRun>(blocks, lighting, settings, std::move(origins));
+    this->Kept =
+      std::make_unique<KeptRun>(surface, lighting, settings, std::move(origins), needOfRun);
   }
-  return need;
+  return this->Kept->MemoryNeed + forGroups;
 }
 
 void vtkIlluminationMap::WriteMap(const SceneBlocks& blocks,

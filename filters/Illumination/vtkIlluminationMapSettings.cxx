@@ -183,6 +183,7 @@ PhotonTransport::TraceSettings vtkIlluminationMap::MakeTraceSettings()
   settings.scatterings = SwitchedOn(this);
   settings.colour = this->Colour;
   settings.registerBackSide = this->RegisterBackSide;
+  settings.curvedSurface = this->CurvedSurface;
   settings.lampsApart = this->LampContributions;
   settings.weightBound = static_cast<float>(this->WeightBound);
   settings.maximumPathLength = Count<std::uint32_t>(this->MaximumPathLength, "maximum path length");
@@ -282,6 +283,7 @@ void vtkIlluminationMap::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Colour: " << this->Colour << "\n"
      << indent << "LampContributions: " << this->LampContributions << "\n"
      << indent << "RegisterBackSide: " << this->RegisterBackSide << "\n"
+     << indent << "CurvedSurface: " << this->CurvedSurface << "\n"
      << indent << "GroupMeans: " << this->GroupMeans << "\n"
      << indent << "MetresPerUnit: " << this->MetresPerUnit << "\n"
      << indent << "FeatureAngle: " << this->FeatureAngle << "\n"

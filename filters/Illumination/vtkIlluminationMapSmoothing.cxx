@@ -8,7 +8,7 @@
 
 #include "PhotonTransport/filtration/Filtration.h"
 #include "PhotonTransport/scene/InvalidInput.h"
-#include "PhotonTransport/scene/Threads.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformationVector.h"

@@ -3,6 +3,8 @@
 
 #include "Illumination/pipeline/Text.h"
 
+#include <glm/trigonometric.hpp>
+
 #include <iterator>
 
 namespace Illumination
@@ -39,6 +41,23 @@ std::string CompensationLine(const Effects& effects)
     ? "compensation: off, all points have the normal of all facets around them"
     : Text("compensation: on, ", counts.tiltedVertices, " of ", counts.vertices,
         " points have a normal that differs from a facet's around them");
+}
+
+std::string CurvedLine(const Effects& effects)
+{
+  const EffectCounts& counts = effects.counts;
+  if (!effects.settings.curvedSurface)
+  {
+    return "curved surface: off, it was not asked for, and triangles are traced flat as they are";
+  }
+  if (counts.curvedFacets == 0)
+  {
+    return "curved surface: off, all triangles are flat";
+  }
+  return Text("curved surface: on, ", counts.curvedFacets, " of ", counts.facets,
+    " triangles are traced as ", counts.parts,
+    " parts of curved patches, of which the normal turns by ", glm::degrees(counts.turn),
+    " degrees at most along an edge");
 }
 
 std::string ScatteringLine(const Effects& effects, unsigned scattering, double switchedOff)
@@ -84,7 +103,7 @@ std::string LampLine(const char* effect, std::size_t count, std::size_t lamps, c
 std::vector<std::string> EffectLines(
   const Effects& effects, const std::array<double, Scatterings>& switchedOff)
 {
-  std::vector<std::string> lines{ CompensationLine(effects) };
+  std::vector<std::string> lines{ CompensationLine(effects), CurvedLine(effects) };
   for (unsigned s = 0; s < Scatterings; ++s)
   {
     lines.push_back(ScatteringLine(effects, s, switchedOff[s]));

@@ -16,6 +16,7 @@ struct EffectSettings
   ScatteringSet scatterings = AllScatterings;
   bool colour = true;            ///< Simulate colours, where there are any.
   bool registerBackSide = false; ///< Also register hits on the backs of facets.
+  bool curvedSurface = false;    ///< The scene's surface is made by CurvedSurface.
 };
 
 } // namespace PhotonTransport

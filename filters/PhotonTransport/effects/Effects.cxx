@@ -19,6 +19,9 @@ EffectCounts CountsOf(const Scene& scene, const Lighting& lighting)
   counts.vertices = scene.NumberOfMapVertices();
   counts.tiltedVertices = scene.Notes().tiltedVertices;
   counts.facets = scene.NumberOfGivenFacets();
+  counts.curvedFacets = scene.Notes().curvedFacets;
+  counts.parts = scene.Notes().curvedFacets + scene.Facets().size() - counts.facets;
+  counts.turn = scene.Notes().turn;
   counts.scatteringFacets = scene.Notes().scatteringFacets;
   counts.colouredFacets = scene.Notes().colouredFacets;
   counts.lamps = lighting.luminaires.size();

@@ -2,7 +2,7 @@
 #include "PhotonTransport/filtration/ExpectedError.h"
 
 #include "PhotonTransport/filtration/EdgeBias.h"
-#include "PhotonTransport/scene/Threads.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include <algorithm>
 

@@ -8,7 +8,7 @@
 #include "PhotonTransport/filtration/SpectralFilter.h"
 #include "PhotonTransport/filtration/VertexOrder.h"
 #include "PhotonTransport/scene/InvalidInput.h"
-#include "PhotonTransport/scene/Threads.h"
+#include "PhotonTransport/threads/Threads.h"
 #include "PhotonTransport/transport/TraceSettings.h"
 
 #include <algorithm>

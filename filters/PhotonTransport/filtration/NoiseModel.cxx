@@ -2,7 +2,7 @@
 #include "PhotonTransport/filtration/NoiseModel.h"
 
 #include "PhotonTransport/sampling/Philox.h"
-#include "PhotonTransport/scene/Threads.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 
 #include "PhotonTransport/filtration/CandidateMaps.h"
 #include "PhotonTransport/filtration/RelativeRisk.h"
-#include "PhotonTransport/scene/Threads.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "PhotonTransport/filtration/RingEdges.h"
 #include "PhotonTransport/scene/InvalidInput.h"
-#include "PhotonTransport/scene/Threads.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "PhotonTransport/filtration/SpectralFilter.h"
 
 #include "PhotonTransport/filtration/Row.h"
-#include "PhotonTransport/scene/Threads.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include <glm/gtc/constants.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/refinement/EdgeCurves.h"
 
-#include "PhotonTransport/filtration/Parallel.h"
 #include "PhotonTransport/refinement/OpenEdges.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/refinement/Refinement.h"
 
-#include "PhotonTransport/filtration/Parallel.h"
 #include "PhotonTransport/refinement/CurvedPatch.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include <algorithm>
 #include <cmath>

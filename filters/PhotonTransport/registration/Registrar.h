@@ -31,20 +31,20 @@ inline float ShownArea(const Scene& scene, std::uint32_t v, const glm::vec3& tow
 }
 
 /// The weights of HitWeights for Registration::FacetRatio.
-inline glm::vec3 FacetRatioWeights(
-  const Scene& scene, const Facet& facet, const glm::vec3& barycentric, const glm::vec3& towards)
+inline glm::vec3 FacetRatioWeights(const Scene& scene, const RegisteredPlace& place,
+  const glm::vec3& facetNormal, const glm::vec3& towards)
 {
   glm::vec3 smooth(0.0f);
   int flatCorners = 0;
   for (int corner = 0; corner < 3; ++corner)
   {
-    const Vertex& vertex = scene.Vertices()[facet.vertices[corner]];
-    smooth += barycentric[corner] * vertex.normal;
+    const Vertex& vertex = scene.Vertices()[place.vertices[corner]];
+    smooth += place.barycentric[corner] * vertex.normal;
     flatCorners += vertex.IsFlat();
   }
   if (flatCorners == 3)
   {
-    return barycentric;
+    return place.barycentric;
   }
   const float length = glm::length(smooth);
   const float cosSmooth = glm::dot(towards, smooth);
@@ -52,23 +52,23 @@ inline glm::vec3 FacetRatioWeights(
   {
     return glm::vec3(0.0f);
   }
-  const float cosFlat = std::max(0.0f, glm::dot(towards, facet.normal));
+  const float cosFlat = std::max(0.0f, glm::dot(towards, facetNormal));
   // Formula (2) as its text means it: the first s_norm is the smooth normal, the second the flat.
-  return std::min(cosSmooth / (length * cosFlat), LargestFactor) * barycentric;
+  return std::min(cosSmooth / (length * cosFlat), LargestFactor) * place.barycentric;
 }
 
 /// The weights of HitWeights for Registration::VertexNormalised.
 inline glm::vec3 VertexNormalisedWeights(
-  const Scene& scene, const Facet& facet, const glm::vec3& barycentric, const glm::vec3& towards)
+  const Scene& scene, const RegisteredPlace& place, const glm::vec3& towards)
 {
   glm::vec3 weights(0.0f);
   for (int corner = 0; corner < 3; ++corner)
   {
-    const std::uint32_t v = facet.vertices[corner];
+    const std::uint32_t v = place.vertices[corner];
     const Vertex& vertex = scene.Vertices()[v];
     if (vertex.IsFlat())
     {
-      weights[corner] = barycentric[corner];
+      weights[corner] = place.barycentric[corner];
       continue;
     }
     const float cosine = glm::dot(towards, vertex.normal);
@@ -79,29 +79,31 @@ inline glm::vec3 VertexNormalisedWeights(
     const float shown =
       cosine >= vertex.sinTilt ? glm::dot(towards, vertex.shownArea) : ShownArea(scene, v, towards);
     // The hit facet is in the ring, so only rounding at grazing incidence can bring this to 0.
-    weights[corner] = barycentric[corner] * std::min(cosine / std::max(0.0f, shown), LargestFactor);
+    weights[corner] =
+      place.barycentric[corner] * std::min(cosine / std::max(0.0f, shown), LargestFactor);
   }
   return weights;
 }
 
 /// Weights of one hit for the three vertices of its facet, before the bound. Each is within
-/// [0, LargestFactor] times its barycentric coordinate. @param towards Unit, on the front of the
-/// facet: back along the ray for a hit on the front, along it for a hit on the back.
+/// [0, LargestFactor] times its barycentric coordinate. @param facetNormal Of the facet that was
+/// hit. @param towards Unit, on the front of the facet: back along the ray for a hit on the front,
+/// along it for a hit on the back.
 template <Registration RegistrationKind>
-glm::vec3 HitWeights(
-  const Scene& scene, const Facet& facet, const glm::vec3& barycentric, const glm::vec3& towards)
+glm::vec3 HitWeights(const Scene& scene, const RegisteredPlace& place, const glm::vec3& facetNormal,
+  const glm::vec3& towards)
 {
   if constexpr (RegistrationKind == Registration::Flat)
   {
-    return barycentric;
+    return place.barycentric;
   }
   else if constexpr (RegistrationKind == Registration::FacetRatio)
   {
-    return FacetRatioWeights(scene, facet, barycentric, towards);
+    return FacetRatioWeights(scene, place, facetNormal, towards);
   }
   else
   {
-    return VertexNormalisedWeights(scene, facet, barycentric, towards);
+    return VertexNormalisedWeights(scene, place, towards);
   }
 }
 
@@ -149,11 +151,11 @@ public:
   {
     if (hit)
     {
-      const Facet& facet = this->LitScene.Facets()[hit.facet];
+      const glm::uvec3& vertices = this->LitScene.GivenVertices(hit.facet);
       for (int corner = 0; corner < 3; ++corner)
       {
-        this->LitScene.PrefetchVertex(facet.vertices[corner]);
-        __builtin_prefetch(&this->Sums.front[facet.vertices[corner]], 1);
+        this->LitScene.PrefetchVertex(vertices[corner]);
+        __builtin_prefetch(&this->Sums.front[vertices[corner]], 1);
       }
     }
   }
@@ -162,9 +164,9 @@ private:
   void Register(const Hit& hit, const glm::vec3& towards, const PhotonOrigin& photon,
     std::vector<VertexSums>& map, bool layers, unsigned corners) const
   {
-    const Facet& facet = this->LitScene.Facets()[hit.facet];
-    const glm::vec3 weights =
-      HitWeights<RegistrationKind>(this->LitScene, facet, hit.barycentric, towards);
+    const RegisteredPlace place = this->LitScene.PlaceOnGiven(hit);
+    const glm::vec3 weights = HitWeights<RegistrationKind>(
+      this->LitScene, place, this->LitScene.Facets()[hit.facet].normal, towards);
     FixedPoint rounded[3] = {};
     for (int corner = 0; corner < 3; ++corner)
     {
@@ -175,30 +177,30 @@ private:
       float weight = weights[corner];
       if constexpr (RegistrationKind != Registration::Flat)
       {
-        const float most = this->WeightBound * hit.barycentric[corner];
+        const float most = this->WeightBound * place.barycentric[corner];
         if (weight > most)
         {
           this->Sums.cutByWeightBound += ToCoarseFixedPoint(weight - most);
           weight = most;
         }
       }
-      VertexSums& vertex = map[facet.vertices[corner]];
+      VertexSums& vertex = map[place.vertices[corner]];
       rounded[corner] = ToFixedPoint(weight);
       (photon.direct ? vertex.direct : vertex.indirect) += rounded[corner];
       ++vertex.hits;
     }
     if (layers)
     {
-      this->AddToLayers(facet, photon, rounded);
+      this->AddToLayers(place.vertices, photon, rounded);
     }
   }
 
   void AddToLayers(
-    const Facet& facet, const PhotonOrigin& photon, const FixedPoint (&weights)[3]) const
+    const glm::uvec3& vertices, const PhotonOrigin& photon, const FixedPoint (&weights)[3]) const
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      FixedPoint* own = &this->Layers.sums[facet.vertices[corner] * this->Layers.perVertex];
+      FixedPoint* own = &this->Layers.sums[vertices[corner] * this->Layers.perVertex];
       if (this->Layers.HasColour())
       {
         own[photon.channel] += weights[corner];

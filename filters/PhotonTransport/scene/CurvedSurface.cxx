@@ -36,13 +36,14 @@ Surface CurvedSurface(Surface surface, std::uint64_t mostFacets)
   RefinementLimits limits;
   limits.turn = glm::radians(7.0);
   Refinement refinement({ surface.points, surface.normals, surface.facets }, limits);
-  refinement.Fit(mostFacets);
+  limits = refinement.Fit(mostFacets);
   if (refinement.IsTrivial())
   {
     return surface;
   }
   RefinedMesh mesh = refinement.Make();
   surface.given.points = surface.points.size();
+  surface.given.turn = limits.turn;
   surface.given.facets = std::move(surface.facets);
   surface.facets = std::move(mesh.facets);
   surface.points = std::move(mesh.points);

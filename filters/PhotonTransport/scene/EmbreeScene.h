@@ -2,8 +2,8 @@
 #pragma once
 
 #include "PhotonTransport/refinement/FacetParts.h"
-#include "PhotonTransport/scene/ProcessEnd.h"
 #include "PhotonTransport/scene/Ray.h"
+#include "PhotonTransport/threads/ProcessEnd.h"
 
 #include <glm/vec3.hpp>
 

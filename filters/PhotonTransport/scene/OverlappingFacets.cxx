@@ -4,7 +4,7 @@
 #include "PhotonTransport/scene/FacetBundles.h"
 #include "PhotonTransport/scene/Outline.h"
 #include "PhotonTransport/scene/PlaneTriangle.h"
-#include "PhotonTransport/scene/Threads.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include <glm/geometric.hpp>
 

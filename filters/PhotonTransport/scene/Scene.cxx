@@ -52,6 +52,7 @@ Scene::Scene(const Surface& surface)
   Validate(surface);
   this->Place = FitPlacement(surface.points, surface.facets);
   this->Rounding = { this->Place.PointToScene(glm::dvec3(0.0)), surface.rounding };
+  this->Found.turn = surface.given.turn;
   this->RequireSize();
   std::vector<glm::vec3> positions = ScenePositions(surface, this->Place);
   this->AddFacets(surface, positions);
@@ -159,9 +160,11 @@ void Scene::AddFacet(
   }
 }
 
-/// How many facets scatter light in each way, or treat or emit channels unequally.
+/// How many facets are curved, scatter light in each way, or treat or emit channels unequally.
 void Scene::CountEffects()
 {
+  this->Found.curvedFacets = this->CountGiven([this](std::uint32_t f)
+    { return !this->GivenFacets.empty() && this->GivenFacets[f].origin.corners != WholeFacet; });
   std::vector<ScatteringSet> ways(this->FacetMaterials.size());
   std::transform(
     this->FacetMaterials.begin(), this->FacetMaterials.end(), ways.begin(), ScatteringsOf);

@@ -53,6 +53,8 @@ struct SceneNotes
   std::array<std::size_t, Scatterings> scatteringFacets{};
   ThinGaps thinGaps;
   SharedPlaceNotes sharedPlaces;
+  std::size_t curvedFacets = 0;   ///< Given facets that a refined surface has in several parts.
+  double turn = 0.0;              ///< See GivenSurface.
   std::size_t colouredFacets = 0; ///< See IsColoured.
 };
 

@@ -7,7 +7,7 @@
 #include "PhotonTransport/scene/OverlappingFacets.h"
 #include "PhotonTransport/scene/PlaneTriangle.h"
 #include "PhotonTransport/scene/Scene.h"
-#include "PhotonTransport/scene/Threads.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include <glm/geometric.hpp>
 

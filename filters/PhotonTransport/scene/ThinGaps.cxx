@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/materials/Scattering.h"
 #include "PhotonTransport/scene/Scene.h"
-#include "PhotonTransport/scene/Threads.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include <glm/geometric.hpp>
 

@@ -3,11 +3,12 @@
 
 #include "PhotonTransport/effects/Effects.h"
 #include "PhotonTransport/materials/Scattering.h"
+#include "PhotonTransport/refinement/FacetParts.h"
 #include "PhotonTransport/refinement/Subdivision.h"
 #include "PhotonTransport/registration/IlluminationSums.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/scene/SceneRecords.h"
-#include "PhotonTransport/scene/Threads.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include <glm/vec2.hpp>
 
@@ -43,6 +44,12 @@ constexpr std::uint64_t ScenePerFacet = sizeof(Facet) + 2 * sizeof(std::uint8_t)
 /// Records, areas, three lists of offsets, two lists of positions (one is Embree's).
 constexpr std::uint64_t ScenePerVertex = sizeof(Vertex) + sizeof(double) +
   3 * sizeof(std::uint64_t) + 2 * sizeof(glm::vec3) + 3 * sizeof(RingAreas) / 4;
+
+/// A part of a facet of a refined surface: what it is a part of, for the surface and for the scene.
+/// A point of it that is none of the given ones: the surface's, the record and positions.
+constexpr std::uint64_t RefinedPerFacet = sizeof(FacetOrigin) + sizeof(GivenFacet);
+constexpr std::uint64_t RefinedPerPoint =
+  2 * sizeof(glm::dvec3) + sizeof(Vertex) + 2 * sizeof(glm::vec3) + sizeof(glm::dvec2);
 
 /// A facet that shines, or the shadow of a vertex under parallel light.
 constexpr std::uint64_t LampPerFacet = 2 * sizeof(std::uint32_t) + sizeof(double);
@@ -112,7 +119,10 @@ std::uint64_t MemoryNeed(
   const std::uint64_t light = surface.materials.size() * (2 * sizeof(Material) + sizeof(Roulette)) +
     surface.materialOfFacet.size() * 3 * sizeof(std::uint32_t) +
     surface.exitance.size() * 2 * sizeof(Colour);
-  return surface.points.size() * perVertex + surface.facets.size() * perFacet + light;
+  const std::uint64_t onMap =
+    surface.IsRefined() ? surface.given.points : std::uint64_t{ surface.points.size() };
+  return onMap * perVertex + (surface.points.size() - onMap) * RefinedPerPoint +
+    surface.facets.size() * perFacet + surface.given.origins.size() * RefinedPerFacet + light;
 }
 
 std::optional<std::uint64_t> AvailableMemory()
@@ -137,6 +147,16 @@ std::optional<std::uint64_t> AvailableMemory()
     }
   }
   return available;
+}
+
+std::uint64_t MostRefinedFacets(std::uint64_t limit)
+{
+  constexpr std::uint64_t Most = 0x7fffffff;
+  constexpr std::uint64_t PerFacet = 2 *
+    (InputPerFacet + ScenePerFacet + EmbreePerFacet + PartsPerFacet + LampPerFacet +
+      RefinedPerFacet + RefinedPerPoint);
+  const std::uint64_t memory = limit > 0 ? limit : AvailableMemory().value_or(Most * PerFacet);
+  return std::min(Most, memory / PerFacet);
 }
 
 void RequireMemory(std::uint64_t need, std::uint64_t limit)

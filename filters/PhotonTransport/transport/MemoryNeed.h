@@ -26,6 +26,9 @@ constexpr std::uint64_t GroupMeansPerVertex = 3 * 2 * sizeof(GroupValues);
 /// its control groups say; nothing on other systems.
 std::optional<std::uint64_t> AvailableMemory();
 
+/// So many facets that a refined surface takes half of the memory. @param limit See RequireMemory.
+std::uint64_t MostRefinedFacets(std::uint64_t limit);
+
 /// Throws InvalidInput that names both numbers if the need is above the limit. @param limit Bytes;
 /// 0 is AvailableMemory(), or no limit where that is not known.
 void RequireMemory(std::uint64_t need, std::uint64_t limit);

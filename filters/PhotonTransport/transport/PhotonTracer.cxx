@@ -2,7 +2,7 @@
 #include "PhotonTransport/transport/PhotonTracer.h"
 
 #include "PhotonTransport/scene/InvalidInput.h"
-#include "PhotonTransport/scene/Threads.h"
+#include "PhotonTransport/threads/Threads.h"
 #include "PhotonTransport/transport/CompiledWalks.h"
 
 #include <algorithm>
@@ -105,7 +105,7 @@ double PhotonTracer::Flux() const
 
 IlluminationSums PhotonTracer::EmptySums() const
 {
-  const std::size_t vertices = this->LitScene.Vertices().size();
+  const std::size_t vertices = this->LitScene.NumberOfMapVertices();
   const std::size_t lamps = this->Impl->source.Lamps();
   return { vertices, this->Settings.registerBackSide, lamps,
     { vertices, this->EffectsFound.colour, this->Settings.lampsApart ? lamps : 0 } };
@@ -135,7 +135,7 @@ std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp)
       this->Impl->materials.roulettes[this->Impl->materials.ofFacet[hit.facet]].translucent;
     if (!front && !translucent)
     {
-      return facet.vertices;
+      return this->LitScene.GivenVertices(hit.facet);
     }
   }
   return std::nullopt;

@@ -2,9 +2,9 @@
 #include "PhotonTransport/transport/ReplicateSums.h"
 
 #include "PhotonTransport/materials/Colour.h"
-#include "PhotonTransport/scene/Threads.h"
 #include "PhotonTransport/statistics/FewHits.h"
 #include "PhotonTransport/statistics/ReplicateStatistics.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include <algorithm>
 #include <array>

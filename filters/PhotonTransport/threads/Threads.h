@@ -3,7 +3,7 @@
 // oneTBB.
 #pragma once
 
-#include "PhotonTransport/scene/ProcessEnd.h"
+#include "PhotonTransport/threads/ProcessEnd.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PhotonTransport/scene/ProcessEnd.h"
+#include "PhotonTransport/threads/ProcessEnd.h"
 
 #include <atomic>
 #include <stdexcept>
