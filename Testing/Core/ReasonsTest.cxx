@@ -3,6 +3,7 @@
 #include "Illumination/map/EffectLines.h"
 
 #include "PhotonTransport/effects/Effects.h"
+#include "PhotonTransport/scene/CurvedSurface.h"
 
 #include "Shapes.h"
 
@@ -50,7 +51,7 @@ TEST(Reasons, NothingIsOnWhereNothingCallsForIt)
   EXPECT_EQ(effects.registration, Registration::Flat);
   EXPECT_FALSE(effects.colour || effects.colouredFacets);
   const std::vector<std::string> lines = Illumination::EffectLines(effects, {});
-  EXPECT_EQ(lines.size(), 1 + Scatterings + 1 + 4 + 1);
+  EXPECT_EQ(lines.size(), 2 + Scatterings + 1 + 4 + 1);
   for (const std::string& reason : lines)
   {
     EXPECT_NE(reason.find(": off, "), std::string::npos) << reason;
@@ -97,7 +98,7 @@ TEST(Reasons, EachWayOfScatteringIsFoundAndCanBeSwitchedOff)
         "; the photons it would have carried on are counted as cut off");
     std::array<double, Scatterings> lumens{};
     lumens[s] = 12.5;
-    const std::string line = Illumination::EffectLines(off, lumens)[1 + s];
+    const std::string line = Illumination::EffectLines(off, lumens)[2 + s];
     EXPECT_NE(line.find("are counted as cut off, 12.5 lm"), std::string::npos) << line;
   }
 }
@@ -112,6 +113,17 @@ TEST(Reasons, CompensationIsForTiltedNormals)
   flat.registration = Registration::Flat;
   EXPECT_EQ(Analysed(sphere, flat).registration, Registration::Flat);
   ExpectReason(Analysed(sphere, flat), "compensation: off, flat registration was chosen");
+}
+
+TEST(Reasons, ACurvedSurfaceIsForTiltedNormals)
+{
+  EffectSettings settings;
+  settings.curvedSurface = true;
+  ExpectReason(Analysed(Cube({}), settings), "curved surface: off, all triangles are flat");
+  const Surface sphere = CurvedSurface(Shapes::Icosphere(1, Shapes::Facing::Outward));
+  ExpectReason(Analysed(sphere, settings),
+    "curved surface: on, 80 of 80 triangles are traced as 5120 parts of curved patches, of which "
+    "the normal turns by 7 degrees at most along an edge");
 }
 
 TEST(Reasons, ColourIsForFacetsOrLampsThatHaveOne)
