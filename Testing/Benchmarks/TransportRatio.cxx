@@ -5,13 +5,15 @@
 //   TransportRatio [threads [mesh.vtp]]
 //
 // A mesh (VTK configuration only) is lit by its facets' Exitance, or else by a point lamp in the
-// middle.
+// middle. It is traced flat, and as the curved surface that its normals tell of.
 //
 // The two are measured alternately; medians of the runs and of their quotients are printed.
 #include "BareEmbree.h"
 #include "Measurement.h"
 #include "MeshFile.h"
 #include "Shapes.h"
+
+#include "PhotonTransport/scene/CurvedSurface.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -66,7 +68,8 @@ int main(int argc, char* argv[])
     const glm::dvec3 middle = FitPlacement(surface.points, surface.facets).centre;
     const Lamp lamp =
       surface.exitance.empty() ? Lamp(PointLamp{ middle, 1000.0 }) : Lamp(EmittingFacets());
-    Compare(argv[2], surface, lamp, threads);
+    Compare(std::string(argv[2]) + ", flat", surface, lamp, threads);
+    Compare(std::string(argv[2]) + ", curved", CurvedSurface(surface), lamp, threads);
     return 0;
   }
   for (const int triangles : { 10'000, 100'000, 1'000'000 })
