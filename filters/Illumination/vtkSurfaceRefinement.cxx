@@ -4,6 +4,7 @@
 #include "Illumination/pipeline/InputError.h"
 #include "Illumination/pipeline/Text.h"
 #include "Illumination/pipeline/VtkVersion.h"
+#include "Illumination/refinement/LimitedRefinement.h"
 #include "Illumination/refinement/RefinedBlocks.h"
 
 #include "PhotonTransport/refinement/Refinement.h"
@@ -60,21 +61,21 @@ RefinementLimits LimitsOf(vtkSurfaceRefinement* filter)
   return limits;
 }
 
-/// Which limits served, "MaximumTurn 9.9 degrees, MaximumEdgeLength 0.12".
+/// ", by wider limits: MaximumTurn 14 degrees, MaximumEdgeLength 0.12".
 std::string NamesOf(const RefinementLimits& limits)
 {
   std::string names;
-  const auto add = [&](const char* name, double value, const char* unit)
+  const auto add = [&](const char* name, double value, const char* unit, double none)
   {
-    if (value < RefinementLimits::None)
+    if (value < none)
     {
       names += (names.empty() ? "" : ", ") + Text(name, " ", value, unit);
     }
   };
-  add("MaximumTurn", vtkMath::DegreesFromRadians(limits.turn), " degrees");
-  add("CurvatureTolerance", limits.sagitta, "");
-  add("MaximumEdgeLength", limits.length, "");
-  return names;
+  add("MaximumTurn", vtkMath::DegreesFromRadians(limits.turn), " degrees", 180.0);
+  add("CurvatureTolerance", limits.sagitta, "", RefinementLimits::None);
+  add("MaximumEdgeLength", limits.length, "", RefinementLimits::None);
+  return names.empty() ? ", none of them divided" : ", by wider limits: " + names;
 }
 
 } // namespace
@@ -96,20 +97,18 @@ void vtkSurfaceRefinement::Execute(
   {
     return; // The input passes through.
   }
-  PhotonTransport::Refinement refinement(blocks.Mesh(), limits);
-  const std::uint64_t wanted = refinement.NumberOfFacets();
-  if (wanted > most && !refinement.IsTrivial())
+  const LimitedRefinement limited = LimitFacets(blocks.Mesh(), limits, most);
+  if (limited.widened)
   {
-    const RefinementLimits& served = refinement.Fit(most);
-    vtkWarningMacro(<< "the limits ask for " << wanted << " triangles, which is more than "
-                    << "MaximumCells, " << most << ". The surface now has "
-                    << refinement.NumberOfFacets() << ", by wider limits: " << NamesOf(served));
+    vtkWarningMacro(<< "the limits ask for more triangles than MaximumCells, " << most
+                    << ". The surface has " << limited.refinement->NumberOfFacets()
+                    << NamesOf(limited.limits));
   }
   if (!goesOn(0.5, "Dividing facets"))
   {
     return;
   }
-  const PhotonTransport::RefinedMesh fine = refinement.Make();
+  const PhotonTransport::RefinedMesh fine = limited.refinement->Make();
   if (!goesOn(0.7, "Interpolating arrays"))
   {
     return;
