@@ -346,3 +346,27 @@ TEST(CurvedRefinement, SheetsThatFaceOppositeWaysHaveTheSameParts)
     EXPECT_EQ(sum, 0);
   }
 }
+
+// Parts that were made apart meet at points that differ by rounding: no more gap opens there than
+// there was.
+TEST(CurvedRefinement, BordersThatDifferByRoundingCurveAlike)
+{
+  Surface cylinder = CappedCylinder(12, 2.0);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (glm::dvec3& point : cylinder.points)
+  {
+    point += 0x1p-24 * glm::dvec3(unit(random), unit(random), unit(random));
+  }
+  const TriangleMesh mesh{ cylinder.points, cylinder.normals, cylinder.facets, 0x1p-24 };
+  const RefinedMesh fine = Refinement(mesh, Fine).Make();
+  EXPECT_NEAR(Volume(fine), 2.0 * glm::pi<double>(), 0.004 * 2.0 * glm::pi<double>());
+  // Snapped to a lattice between whose points none of the mesh lies, it is closed.
+  std::vector<glm::dvec3> snapped;
+  for (const glm::dvec3& p : fine.points)
+  {
+    constexpr double Lattice = 0x1p-14;
+    snapped.push_back(Lattice * glm::round(p / Lattice + 0.25));
+  }
+  EXPECT_LE(OpenEdges(snapped, fine.facets), 0u);
+}

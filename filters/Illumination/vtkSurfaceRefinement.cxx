@@ -4,8 +4,8 @@
 #include "Illumination/pipeline/InputError.h"
 #include "Illumination/pipeline/Text.h"
 #include "Illumination/pipeline/VtkVersion.h"
-#include "Illumination/refinement/LimitedRefinement.h"
 #include "Illumination/refinement/RefinedBlocks.h"
+#include "PhotonTransport/refinement/LimitedRefinement.h"
 
 #include "PhotonTransport/refinement/Refinement.h"
 
@@ -97,7 +97,7 @@ void vtkSurfaceRefinement::Execute(
   {
     return; // The input passes through.
   }
-  const LimitedRefinement limited = LimitFacets(blocks.Mesh(), limits, most);
+  const PhotonTransport::LimitedRefinement limited = LimitFacets(blocks.Mesh(), limits, most);
   if (limited.widened)
   {
     vtkWarningMacro(<< "the limits ask for more triangles than MaximumCells, " << most

@@ -85,6 +85,7 @@ void RefinementBlocks::Append(const NamedSurface& part, double featureAngle)
   RefinementBlock block{ part, given, this->Points.size(), this->Facets.size(),
     PointsOfTriangles(mesh), CellsOfTriangles(mesh) };
   AppendPoints(mesh, this->Points);
+  this->Rounding = std::max(this->Rounding, RoundingOfPoints(part.data));
   AppendFacets(mesh, block.firstVertex, this->Facets);
   this->Normals.resize(this->Points.size(), glm::dvec3(0.0));
   if (vtkDataArray* normals = mesh->GetPointData()->GetNormals())

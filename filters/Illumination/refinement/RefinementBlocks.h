@@ -42,7 +42,7 @@ public:
 
   PhotonTransport::TriangleMesh Mesh() const
   {
-    return { this->Points, this->Normals, this->Facets };
+    return { this->Points, this->Normals, this->Facets, this->Rounding };
   }
   const std::vector<RefinementBlock>& Blocks() const { return this->Parts; }
 
@@ -53,6 +53,7 @@ private:
   std::vector<glm::dvec3> Points;
   std::vector<glm::dvec3> Normals;
   std::vector<glm::uvec3> Facets;
+  double Rounding = 0.0; ///< See Surface::rounding.
 };
 
 } // namespace Illumination

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/refinement/MeshEdges.h"
 
+#include "PhotonTransport/refinement/SortedEnds.h"
+
+#include <glm/geometric.hpp>
 #include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -46,6 +49,26 @@ std::vector<std::uint32_t> FirstInPlace(const TriangleMesh& mesh)
   return first;
 }
 
+bool IsNear(const glm::dvec3& a, const glm::dvec3& b, double gap)
+{
+  return glm::distance(a, b) <= gap;
+}
+
+std::uint32_t RootOf(const std::vector<std::uint32_t>& places, std::uint32_t place)
+{
+  while (places[place] != place)
+  {
+    place = places[place];
+  }
+  return place;
+}
+
+void Join(std::vector<std::uint32_t>& places, std::uint32_t one, std::uint32_t other)
+{
+  const std::uint32_t a = RootOf(places, one), b = RootOf(places, other);
+  places[std::max(a, b)] = std::min(a, b);
+}
+
 /// A side and what edges are told apart by.
 struct Side
 {
@@ -61,9 +84,9 @@ struct Side
   }
 };
 
-std::vector<Side> SortedSides(const TriangleMesh& mesh)
+/// @param first [point] The first point in its place.
+std::vector<Side> SortedSides(const TriangleMesh& mesh, const std::vector<std::uint32_t>& first)
 {
-  const std::vector<std::uint32_t> first = FirstInPlace(mesh);
   std::vector<Side> sides;
   sides.reserve(3 * mesh.facets.size());
   for (const glm::uvec3& facet : mesh.facets)
@@ -87,7 +110,20 @@ std::vector<Side> SortedSides(const TriangleMesh& mesh)
 
 MeshEdges::MeshEdges(const TriangleMesh& mesh)
 {
-  const std::vector<Side> sides = SortedSides(mesh);
+  std::vector<std::uint32_t> places = FirstInPlace(mesh);
+  this->Build(mesh, places);
+  if (this->JoinBorders(mesh, places))
+  {
+    this->Build(mesh, places);
+  }
+}
+
+void MeshEdges::Build(const TriangleMesh& mesh, const std::vector<std::uint32_t>& places)
+{
+  const std::vector<Side> sides = SortedSides(mesh, places);
+  this->PointPairs.clear();
+  this->Sides.clear();
+  this->FirstSides.clear();
   this->PairOfSide.resize(sides.size());
   this->Sides.reserve(sides.size());
   for (std::size_t i = 0; i < sides.size(); ++i)
@@ -106,6 +142,48 @@ MeshEdges::MeshEdges(const TriangleMesh& mesh)
     this->Sides.push_back(sides[i].place);
   }
   this->FirstSides.push_back(static_cast<std::uint32_t>(sides.size()));
+}
+
+/// Makes one place of the ends of two open edges that differ by rounding, and tells whether there
+/// were any.
+bool MeshEdges::JoinBorders(const TriangleMesh& mesh, std::vector<std::uint32_t>& places) const
+{
+  std::vector<End> ends;
+  for (std::uint32_t edge = 0; edge < this->Number(); ++edge)
+  {
+    if (this->NumberOfFacets(edge) == 1)
+    {
+      ends.push_back({ mesh.points[this->FirstPair(edge).from], edge });
+      ends.push_back({ mesh.points[this->FirstPair(edge).to], edge });
+    }
+  }
+  const SortedEnds sorted(ends);
+  bool joined = false;
+  for (std::size_t i = 0; i < ends.size(); i += 2)
+  {
+    const glm::dvec3 &from = ends[i].point, &to = ends[i + 1].point;
+    const double gap = GapBetween(from, to, mesh.rounding);
+    const auto [first, last] = sorted.Near(from - gap, from + gap);
+    for (const End* end = first; end != last; ++end)
+    {
+      const PointPair &own = this->FirstPair(ends[i].edge), &other = this->FirstPair(end->edge);
+      const bool along = IsNear(mesh.points[other.from], from, gap);
+      const std::uint32_t otherFrom = along ? other.from : other.to;
+      const std::uint32_t otherTo = along ? other.to : other.from;
+      if (end->edge > ends[i].edge && glm::distance(from, to) > 2.0 * gap &&
+        IsNear(mesh.points[otherFrom], from, gap) && IsNear(mesh.points[otherTo], to, gap))
+      {
+        Join(places, own.from, otherFrom);
+        Join(places, own.to, otherTo);
+        joined = true;
+      }
+    }
+  }
+  for (std::uint32_t& place : places)
+  {
+    place = RootOf(places, place);
+  }
+  return joined;
 }
 
 } // namespace PhotonTransport

@@ -3,6 +3,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct TriangleMesh
   const std::vector<glm::dvec3>& points;  ///< Finite where a facet uses them.
   const std::vector<glm::dvec3>& normals; ///< One a point, any length; or empty.
   const std::vector<glm::uvec3>& facets;  ///< Point indices.
+  double rounding = 0.0;                  ///< See Surface::rounding.
 };
 
 /// The side of a facet that is opposite to one of its corners.
@@ -33,7 +35,8 @@ struct PointPair
 
 /// The edges of a mesh. An edge is a piece of space: facets share it where their corners have the
 /// same coordinates, even if they have points of their own there, as VTK's filters make them
-/// at sharp edges. A point pair has the points, too; an edge has several of them where points are
+/// at sharp edges. So do facets at the border of parts that were made apart, whose corners differ
+/// by rounding. A point pair has the points, too; an edge has several of them where points are
 /// doubled.
 class MeshEdges
 {
@@ -71,6 +74,9 @@ public:
   }
 
 private:
+  void Build(const TriangleMesh& mesh, const std::vector<std::uint32_t>& places);
+  bool JoinBorders(const TriangleMesh& mesh, std::vector<std::uint32_t>& places) const;
+
   std::vector<PointPair> PointPairs;
   std::vector<std::uint32_t> PairOfSide; ///< By 3 * facet + side.
   std::vector<std::uint32_t> Sides;      ///< 3 * facet + side, sorted by edge, then by pair.

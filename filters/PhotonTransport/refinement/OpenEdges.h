@@ -12,7 +12,7 @@ namespace PhotonTransport
 /// The edges of a single facet that have a point of another such edge between their ends, and those
 /// that run along them: where facets of unlike sizes meet, one edge lies beside several (a
 /// T-junction). If one of them curved and the others did not, or not alike, a gap would open.
-/// A point is on an edge if it is as near as coordinates of single precision can tell.
+/// A point is on an edge if it is as near as the rounding of the points can tell.
 std::vector<std::uint32_t> EdgesWithPointsOnThem(const TriangleMesh& mesh, const MeshEdges& edges);
 
 } // namespace PhotonTransport

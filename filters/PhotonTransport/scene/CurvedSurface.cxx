@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/CurvedSurface.h"
 
-#include "PhotonTransport/refinement/Refinement.h"
+#include "PhotonTransport/refinement/LimitedRefinement.h"
 
 #include <glm/trigonometric.hpp>
 
@@ -35,15 +35,15 @@ Surface CurvedSurface(Surface surface, std::uint64_t mostFacets)
   Validate(surface);
   RefinementLimits limits;
   limits.turn = glm::radians(7.0);
-  Refinement refinement({ surface.points, surface.normals, surface.facets }, limits);
-  limits = refinement.Fit(mostFacets);
-  if (refinement.IsTrivial())
+  const LimitedRefinement limited = LimitFacets(
+    { surface.points, surface.normals, surface.facets, surface.rounding }, limits, mostFacets);
+  if (limited.refinement->IsTrivial())
   {
     return surface;
   }
-  RefinedMesh mesh = refinement.Make();
+  RefinedMesh mesh = limited.refinement->Make();
   surface.given.points = surface.points.size();
-  surface.given.turn = limits.turn;
+  surface.given.turn = limited.limits.turn;
   surface.given.facets = std::move(surface.facets);
   surface.facets = std::move(mesh.facets);
   surface.points = std::move(mesh.points);

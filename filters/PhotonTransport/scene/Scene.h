@@ -81,6 +81,10 @@ public:
     if (hit)
     {
       __builtin_prefetch(&this->FacetRecords[hit.facet]);
+      if (!this->GivenFacets.empty())
+      {
+        __builtin_prefetch(&this->GivenFacets[hit.facet]);
+      }
     }
   }
   void PrefetchVertex(std::uint32_t vertex) const

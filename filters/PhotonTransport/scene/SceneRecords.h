@@ -34,7 +34,7 @@ struct alignas(32) Facet
 
 /// The facet of the given surface that a facet of a refined one is a part of: light counts for its
 /// vertices.
-struct GivenFacet
+struct alignas(64) GivenFacet
 {
   glm::uvec3 vertices;
   FacetOrigin origin;

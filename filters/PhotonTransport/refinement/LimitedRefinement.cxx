@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Illumination/refinement/LimitedRefinement.h"
+#include "PhotonTransport/refinement/LimitedRefinement.h"
 
 #include "PhotonTransport/refinement/EdgeCurves.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace Illumination
+namespace PhotonTransport
 {
 namespace
 {
-
-using PhotonTransport::EdgeCurves;
-using PhotonTransport::MeshEdges;
-using PhotonTransport::Refinement;
-using PhotonTransport::RefinementLimits;
-using PhotonTransport::TriangleMesh;
 
 /// Limits by which edges are halved so many times less.
 RefinementLimits Wider(RefinementLimits limits, int halvings)
@@ -92,4 +86,4 @@ LimitedRefinement LimitFacets(
   return result;
 }
 
-} // namespace Illumination
+} // namespace PhotonTransport
