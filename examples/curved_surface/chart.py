@@ -39,5 +39,5 @@ def draw_convergence(path, rows, finer):
     axes.tick_params(colors=INK, labelsize=12)
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
-    axes.legend(fontsize=13, frameon=False)
+    axes.legend(fontsize=12, frameon=False, loc="lower left")
     page.save(path)

@@ -9,16 +9,17 @@ from scene import SHAPES, refined, small_triangles
 CHART = "Mean distance of the triangles from the exact surface, in % of the radius"
 TURNS = tuple(24.0 / 2**i for i in range(6))  # degrees: MaximumTurn
 RADII = {"Cylinder": "radius", "Sphere": "radius", "Torus": "tube"}  # of the bodies, by attribute
-SIDE = 6  # each triangle is sampled at SIDE^2 places
+PLACES = 200_000  # of samples in a mesh, but 4 to 256 in each triangle
 
 
 def samples(surface):
-    """Places in all triangles of a vtkPolyData (m, SIDE^2, 3), and the triangles' areas (m,)."""
+    """Places in all triangles of a vtkPolyData (m, k, 3), and the triangles' areas (m,)."""
     points, _ = bodies.points_and_normals(surface)
     corners = points[bodies.vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)]
     a, b, c = corners.transpose(1, 0, 2)
+    side = int(np.clip(np.sqrt(PLACES / len(corners)), 2, 16))
     area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    return np.einsum("kc,mcx->mkx", small_triangles(SIDE), corners), area
+    return np.einsum("kc,mcx->mkx", small_triangles(side), corners), area
 
 
 def distances(surface, shape):

@@ -23,7 +23,7 @@ from scene import (  # noqa: E402
     MODES, PHOTONS, SEEDS, SHAPES, coarse_bodies, exact_bodies, exact_caught, exact_floor, floor, light,
 )  # fmt: skip
 
-PHOTONS_ALONE = 4_000_000  # for a body without the rest
+PHOTONS_ALONE = 1_000_000  # for a body without the rest
 
 
 @dataclass
@@ -79,24 +79,29 @@ def largest_in_band(lit, exact):
     return float(off[exact.band].max() / exact.lux.max())
 
 
-def caught(photons=PHOTONS_ALONE):
-    """The flux (lm) on every body alone: body -> {"Exact" or mode -> lm}."""
+@dataclass
+class Caught:
+    """The flux on a body alone, against the exact body's."""
+
+    off: float  # how much more it catches, as a share
+    error: float  # standard error of off
+
+
+def caught(photons=PHOTONS_ALONE, seeds=SEEDS):
+    """The flux on every body alone: body -> mode -> Caught."""
     found = {}
     for name, shape in SHAPES.items():
-        mesh = shape.mesh(*shape.coarse)
-        found[name] = {"Exact": exact_caught(shape)}
+        mesh, exact = shape.mesh(*shape.coarse), exact_caught(shape)
+        found[name] = {}
         for mode, curved in MODES.items():
-            found[name][mode] = light(mesh, curved, photons).facts["FluxOnFronts"]
+            runs = [light(mesh, curved, photons, seed).facts["FluxOnFronts"] for seed in seeds]
+            error = np.std(runs, ddof=1) / np.sqrt(len(runs)) / exact
+            found[name][mode] = Caught(float(np.mean(runs) / exact - 1.0), float(error))
     return found
 
 
-def off(fluxes, mode):
-    """How much more flux a body catches than the exact one, as a share."""
-    return fluxes[mode] / fluxes["Exact"] - 1.0
-
-
 def scene_rows(found, results, exact, fluxes):
-    """The table of both modes."""
+    """The table: a row for each mode."""
     rows = []
     for mode, lit in found.items():
         row = {
@@ -104,7 +109,8 @@ def scene_rows(found, results, exact, fluxes):
             "RMS error, %": 100.0 * results[mode].rms,
             "Largest error, %": 100.0 * largest_in_band(lit, exact),
         }
-        row.update({f"Light caught, {body.lower()}, %": 100.0 * off(of, mode) for body, of in fluxes.items()})
+        for body, of in fluxes.items():
+            row[f"Light caught, {body.lower()}, %"] = 100.0 * of[mode].off
         row["Triangles traced"] = traced_triangles(lit.curved_line(), lit.surface.GetNumberOfCells())
         row["Seconds"] = lit.seconds
         rows.append(row)

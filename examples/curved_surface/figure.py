@@ -16,11 +16,12 @@ from pictures import GAP, MARGIN, OVERSAMPLING, TITLE, Camera, Page, Panel, Row,
 from pictures import new_view, reduce_colours
 
 SHOWN_TURN = 3.0  # degrees: MaximumTurn of the bodies in the pictures
-LUX = Scale("Illuminance, lx", 0.0, 800.0, clips=True)
+LUX = Scale("Illuminance, lx", 0.0, 700.0, clips=True)
+FLOOR_LUX = Scale("Illuminance, lx", 0.0, 350.0)
 GREY = (0.42, 0.44, 0.47)
-WHOLE = Camera(position=(0.25, -4.6, 4.4), focus=(0.0, 0.72, 0.12), angle=25.0)
+WHOLE = Camera(position=(0.25, -4.3, 5.6), focus=(0.0, 0.85, 0.12), angle=25.0)
 TORUS = Camera(position=(0.15, -1.6, 1.9), focus=(0.95, 0.45, 0.62), angle=22.0)
-CYLINDER = Camera(position=(-0.2, -2.0, 2.6), focus=(-1.15, 0.55, 0.35), angle=27.0)
+ABOVE = Camera(position=(0.0, 1.0, 9.0), focus=(0.0, 1.0, 0.0), up=(0.0, 1.0, 0.0), angle=21.5)
 
 
 def draw_lit(path, found, ground, exact, exact_shapes, results):
@@ -35,8 +36,12 @@ def draw_lit(path, found, ground, exact, exact_shapes, results):
         Panel(f"CurvedSurface on: {percent[1]} off", rounder),
         Panel("Exact bodies, exact light", truth),
     ]
-    near = [Panel("", panel.surface) for panel in panels]
-    rows = [Row(LUX, panels, WHOLE, 390), Row(LUX, near, TORUS, 400), Row(LUX, near, CYLINDER, 400)]
+    names = ("The torus: silhouette and terminator", "", "")
+    near = [Panel(name, panel.surface) for name, panel in zip(names, panels)]
+    names = ("The floor from above: outlines of the shadows", "", "")
+    maps = [lit.lux.mean(axis=0)[: len(exact.lux)] for lit in found.values()] + [exact.lux]
+    above = [Panel(name, with_array(ground, lux, "Illuminance")) for name, lux in zip(names, maps)]
+    rows = [Row(LUX, panels, WHOLE, 420), Row(LUX, near, TORUS, 420), Row(FLOOR_LUX, above, ABOVE, 420)]
     heading = "Cylinder of 8 sides, sphere of 16 × 8 and torus of 24 × 8 facets, and a lamp in their midst"
     draw(path, rows, heading=heading, background=GREY)
 
@@ -79,7 +84,7 @@ FILTERS = {
     "Input": lambda surface: surface,
     "Subdivide (ParaView)": lambda s: through(simple.Subdivide, s, NumberofSubdivisions=2),
     "Loop Subdivision (ParaView)": lambda s: through(simple.LoopSubdivision, s, NumberofSubdivisions=2),
-    "Surface Refinement": lambda s: refined(s, MaximumTurn=12.0),
+    "Surface Refinement, 12 degrees": lambda s: refined(s, MaximumTurn=12.0),
 }
 
 
@@ -92,7 +97,8 @@ def draw_refinement(path):
     for i, name in enumerate(("Sphere", "Cylinder")):
         shape = SHAPES[name]
         centre = shape.centre
-        camera = Camera(tuple(centre + (0.55, -1.75, 1.25)), tuple(centre), angle=26.0)
+        eye, focus = centre + (0.55, -1.75, 1.25), centre - (0.0, 0.0, 0.02)
+        camera = Camera(tuple(eye), tuple(focus), angle=29.0)
         for j, (label, run) in enumerate(FILTERS.items()):
             surface = run(shape.mesh(*shape.coarse))
             mean, largest = (100.0 * d / shape.radius for d in distances(surface, shape))

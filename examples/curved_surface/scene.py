@@ -10,22 +10,22 @@ from illumination import as_source, illuminate
 from paraview import servermanager, simple
 from shapes import Cylinder, Sphere, Torus, illuminance, triangles_of
 
-LAMP = np.array([0.0, 0.0, 1.5])  # it shines evenly to all sides
+LAMP = np.array([0.0, 0.0, 1.75])  # it shines evenly to all sides
 FLUX = 4.0 * np.pi * 1000.0  # lm: 1000 lx at a distance of 1 m
 # About the lamp's foot. The torus leans towards the lamp, so that its near side shades its far one.
 SHAPES = {
     "Cylinder": Cylinder(
-        np.array([-0.85, 0.40, 0.62]), np.array([0.0, 0.0, 1.0]), (8, 1), (192, 1), 0.34, 0.40),
-    "Sphere": Sphere(np.array([0.0, 0.95, 0.75]), np.array([0.0, 0.0, 1.0]), (16, 8), (128, 64), 0.42),
+        np.array([-0.85, 0.35, 0.60]), np.array([0.0, 0.0, 1.0]), (8, 6), (192, 48), 0.34, 0.40),
+    "Sphere": Sphere(np.array([0.0, 0.90, 0.75]), np.array([0.0, 0.0, 1.0]), (16, 8), (128, 64), 0.42),
     "Torus": Torus(
         np.array([0.90, 0.35, 0.68]), np.array([-0.10, -0.55, 0.83]), (24, 8), (192, 64), 0.36, 0.144),
 }  # fmt: skip
 for _shape in SHAPES.values():
     _shape.axis /= np.linalg.norm(_shape.axis)
-LOW, HIGH, STEP = np.array([-2.6, -0.9]), np.array([2.6, 2.7]), 0.025  # m, the floor's grid
+LOW, HIGH, STEP = np.array([-2.6, -0.9]), np.array([2.6, 2.9]), 0.025  # m, the floor's grid
 BAND = 0.06  # m: half the width of the band about the shadows' outlines
 SAMPLES = 8  # along each side of a square of the floor, where the exact light is not even
-PHOTONS = 16_000_000
+PHOTONS = 8_000_000
 SEEDS = range(1, 5)
 MODES = {"Facets as they are": 0, "CurvedSurface": 1}
 
