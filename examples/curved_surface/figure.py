@@ -13,7 +13,7 @@ import bodies
 from comparison import with_array
 from illumination import as_source
 from pictures import GAP, MARGIN, OVERSAMPLING, TITLE, Camera, Page, Panel, Row, Scale, draw
-from pictures import new_view, reduce_colours
+from pictures import new_view
 
 SHOWN_TURN = 3.0  # degrees: MaximumTurn of the bodies in the pictures
 LUX = Scale("Illuminance, lx", 0.0, 700.0, clips=True)

@@ -40,9 +40,9 @@ class Body:
 
 
 def turned(radius, height, out, up, around, closed):
-    """Points, normals and triangles of a profile (each (m,)) that is turned about z.
+    """Points, normals and corners of quadrilaterals of a profile (each (m,)) that is turned about z.
 
-    closed: whether the profile's end joins its beginning. Without area, triangles are left out.
+    closed: whether the profile's end joins its beginning.
     """
     angle = 2.0 * np.pi * np.arange(around) / around
     cosine, sine = np.cos(angle)[:, None], np.sin(angle)[:, None]
