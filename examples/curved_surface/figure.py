@@ -6,6 +6,7 @@ from pathlib import Path
 
 from convergence import distances
 from matplotlib import pyplot
+from PIL import Image
 from paraview import servermanager, simple
 from scene import SHAPES, refined
 
@@ -113,4 +114,6 @@ def draw_refinement(path):
             rows.append({"Body": name, "Filter": label, "Triangles": count,
                          "Largest distance, % of the radius": largest, "Mean distance, %": mean})  # fmt: skip
     page.save(path)
+    picture = Image.open(path).convert("RGB")
+    picture.quantize(96, dither=Image.Dither.NONE).save(path, optimize=True)
     return rows
