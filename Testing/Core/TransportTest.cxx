@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/InvalidInput.h"
-#include "PhotonTransport/threads/Threads.h"
 #include "PhotonTransport/statistics/ReplicateStatistics.h"
+#include "PhotonTransport/threads/Threads.h"
 #include "PhotonTransport/transport/PhotonTracer.h"
 
 #include "Shapes.h"

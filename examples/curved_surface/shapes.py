@@ -35,8 +35,7 @@ class Body:
         """A vtkPolyData with the exact normals at its points."""
         points, normals, triangles = self.local_mesh(around, along)
         frame = self.frame()
-        points = np.round(points @ frame.T + self.centre, 6)  # doubled points in exactly one place
-        return bodies.to_surface(points, normals @ frame.T, triangles)
+        return bodies.to_surface(points @ frame.T + self.centre, normals @ frame.T, triangles)
 
 
 def turned(radius, height, out, up, around, closed):

@@ -116,7 +116,7 @@ bool CurvedPatch::Halves(const glm::vec3& p, const glm::vec3& q) const
     glm::length(offset) > this->MostSagittaAlong(way);
 }
 
-/// That of the facet's edge whose direction is the nearest; if it is straight, the least of all.
+/// That of the facet's edge whose direction is the nearest; if it has none, the least of all.
 double CurvedPatch::MostSagittaAlong(const glm::vec3& way) const
 {
   std::size_t nearest = 0;
@@ -127,7 +127,7 @@ double CurvedPatch::MostSagittaAlong(const glm::vec3& way) const
       nearest = i;
     }
   }
-  return this->Offsets[nearest] == glm::dvec3(0.0)
+  return std::isinf(this->MostSagitta[nearest])
     ? *std::min_element(this->MostSagitta.begin(), this->MostSagitta.end())
     : this->MostSagitta[nearest];
 }

@@ -19,6 +19,23 @@ bool Before(const glm::vec3& p, const glm::vec3& q)
   return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
 }
 
+/// Calls f(i) for i in [0, count) on many threads. A facet may have a thousand parts.
+template <class Function>
+void ForEachFacet(std::size_t count, const Function& f)
+{
+  constexpr std::uint64_t WorthAThread = 32;
+  ParallelFor(
+    0, count,
+    [&](std::uint64_t begin, std::uint64_t end)
+    {
+      for (std::uint64_t i = begin; i < end; ++i)
+      {
+        f(i);
+      }
+    },
+    WorthAThread);
+}
+
 /// Turns numbers into sums of those before them, plus `first`; the last of them is all.
 void SumUp(std::vector<std::uint64_t>& numbers, std::uint64_t first)
 {
@@ -98,7 +115,8 @@ void Refinement::StraightenTurned()
   while (!facets.empty())
   {
     std::vector<std::uint8_t> turns(facets.size());
-    ForEach(facets.size(), [&](std::size_t i) { turns[i] = this->PatchOf(facets[i]).Turns(); });
+    ForEachFacet(
+      facets.size(), [&](std::size_t i) { turns[i] = this->PatchOf(facets[i]).Turns(); });
     std::vector<std::uint32_t> beside;
     for (std::size_t i = 0; i < facets.size(); ++i)
     {
@@ -121,7 +139,7 @@ void Refinement::Count()
   const std::size_t facets = this->Mesh.facets.size();
   this->FirstPart.assign(facets, 1);
   this->FirstInside.assign(facets, 0);
-  ForEach(facets,
+  ForEachFacet(facets,
     [&](std::size_t f)
     {
       const CurvedPatch patch = this->PatchOf(f);
@@ -177,7 +195,7 @@ RefinedMesh Refinement::Make() const
   fine.facets.resize(this->NumberOfFacets());
   fine.origins.resize(this->NumberOfFacets());
   ForEach(this->Edges.Pairs().size(), [&](std::size_t pair) { this->AddPointsOn(pair, fine); });
-  ForEach(this->Mesh.facets.size(), [&](std::size_t facet) { this->AddParts(facet, fine); });
+  ForEachFacet(this->Mesh.facets.size(), [&](std::size_t facet) { this->AddParts(facet, fine); });
   return fine;
 }
 

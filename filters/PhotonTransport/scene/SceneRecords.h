@@ -43,7 +43,7 @@ struct alignas(64) GivenFacet
 /// A point of a facet on which light is registered.
 struct RegisteredPlace
 {
-  glm::uvec3 vertices;
+  const glm::uvec3& vertices; ///< Of a record of the scene.
   glm::vec3 barycentric;
 };
 
