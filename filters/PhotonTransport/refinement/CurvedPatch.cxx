@@ -3,6 +3,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -43,8 +44,8 @@ bool IsBefore(const glm::dvec3& p, const glm::dvec3& q)
 } // namespace
 
 CurvedPatch::CurvedPatch(const TriangleMesh& mesh, const MeshEdges& edges, const EdgeCurves& curves,
-  double longestEdge, std::size_t facet)
-  : LongestEdge(longestEdge)
+  const RefinementLimits& limits, std::size_t facet)
+  : Limits(limits)
 {
   const glm::uvec3& ids = mesh.facets[facet];
   this->Order = { 0, 1, 2 };
@@ -58,7 +59,8 @@ CurvedPatch::CurvedPatch(const TriangleMesh& mesh, const MeshEdges& edges, const
     this->Corners[i] = mesh.points[ids[this->Order[i]]];
     this->Offsets[i] = curves[pair.edge].offset;
     this->Halvings[i] = curves[pair.edge].halvings;
-    this->MostSagitta = std::min(this->MostSagitta, curves[pair.edge].mostSagitta);
+    const double cosine = 1.0 - curves[pair.edge].versine; // of half the turn
+    this->Turns2[i] = 4.0 * (1.0 - cosine * cosine);
     this->From[i] = pair.from == ids[this->Order[next]] ? next : 3 - i - next;
   }
 }
@@ -115,10 +117,14 @@ bool CurvedPatch::Halves(const glm::vec3& p, const glm::vec3& q) const
   }
   // From the middle of the edge to the patch there: second differences of a quadratic form.
   const glm::dvec3 d(q - p);
-  const glm::dvec3 offset =
-    -(d.y * d.z * this->Offsets[0] + d.z * d.x * this->Offsets[1] + d.x * d.y * this->Offsets[2]);
-  return glm::length(this->AtOrdered(q) - this->AtOrdered(p)) > this->LongestEdge ||
-    glm::length(offset) > this->MostSagitta;
+  const auto middle = [&d](const auto& ofEdges)
+  { return -(d.y * d.z * ofEdges[0] + d.z * d.x * ofEdges[1] + d.x * d.y * ofEdges[2]); };
+  const double length = glm::length(this->AtOrdered(q) - this->AtOrdered(p));
+  const double sagitta = glm::length(middle(this->Offsets));
+  // Normals in between are linear: their squared differences are such a form, too.
+  const double most = 2.0 * std::sin(0.5 * std::min(this->Limits.turn, glm::pi<double>()));
+  return length > this->Limits.length || sagitta > this->Limits.sagitta ||
+    (middle(this->Turns2) > most * most && sagitta > EdgeCurves::Straight * length);
 }
 
 bool CurvedPatch::Turns() const
