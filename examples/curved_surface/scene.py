@@ -25,7 +25,7 @@ for _shape in SHAPES.values():
 LOW, HIGH, STEP = np.array([-2.6, -0.9]), np.array([2.6, 2.9]), 0.025  # m, the floor's grid
 BAND = 0.06  # m: half the width of the band about the shadows' outlines
 SAMPLES = 8  # along each side of a square of the floor, where the exact light is not even
-PHOTONS = 8_000_000
+PHOTONS = 4_000_000
 SEEDS = range(1, 5)
 MODES = {"Facets as they are": 0, "CurvedSurface": 1}
 
