@@ -54,14 +54,20 @@ def facts_of(data):
     return facts
 
 
-def run_filter(make_proxy, surface, wanted, properties):
-    """What a filter makes of a vtkPolyData; raises if a point array that is wanted is not there."""
+def through(make_proxy, surface, **properties):
+    """What a filter makes of a vtkPolyData."""
     source = as_source(surface)
     proxy = make_proxy(Input=source, **properties)
     proxy.UpdatePipeline()
     result = servermanager.Fetch(proxy)
     simple.Delete(proxy)
     simple.Delete(source)
+    return result
+
+
+def run_filter(make_proxy, surface, wanted, properties):
+    """What a filter makes of a vtkPolyData; raises if a point array that is wanted is not there."""
+    result = through(make_proxy, surface, **properties)
     if result.GetPointData().GetArray(wanted) is None:
         raise RuntimeError(f"no {wanted}: the filter has failed; its message is above")
     return result

@@ -7,12 +7,12 @@ from pathlib import Path
 from convergence import distances
 from matplotlib import pyplot
 from PIL import Image
-from paraview import servermanager, simple
+from paraview import simple
 from scene import SHAPES, refined
 
 import bodies
 from comparison import with_array
-from illumination import as_source
+from illumination import as_source, through
 from pictures import GAP, MARGIN, OVERSAMPLING, TITLE, Camera, Page, Panel, Row, Scale, draw
 from pictures import new_view
 
@@ -45,17 +45,6 @@ def draw_lit(path, found, ground, exact, exact_shapes, results):
     rows = [Row(LUX, panels, WHOLE, 420), Row(LUX, near, TORUS, 420), Row(FLOOR_LUX, above, ABOVE, 420)]
     heading = "Cylinder of 8 sides, sphere of 16 × 8 and torus of 24 × 8 facets, and a lamp in their midst"
     draw(path, rows, heading=heading, background=GREY)
-
-
-def through(make_proxy, surface, **properties):
-    """What one of ParaView's filters makes of a vtkPolyData."""
-    source = as_source(surface)
-    proxy = make_proxy(Input=source, **properties)
-    proxy.UpdatePipeline()
-    result = servermanager.Fetch(proxy)
-    simple.Delete(proxy)
-    simple.Delete(source)
-    return result
 
 
 def photograph(surface, camera, pixels):

@@ -168,9 +168,9 @@ void EdgeCurves::Divide(std::size_t edge, const RefinementLimits& limits)
   const double byTurn = curve.versine > versine
     ? std::max(sagitta * versine / curve.versine, Straight * length)
     : RefinementLimits::None;
-  curve.mostSagitta = std::min(limits.sagitta, byTurn);
+  const double most = std::min(limits.sagitta, byTurn);
   curve.halvings = 0;
-  while (curve.halvings < MostHalvings && (length > limits.length || sagitta > curve.mostSagitta))
+  while (curve.halvings < MostHalvings && (length > limits.length || sagitta > most))
   {
     length *= 0.5;
     sagitta *= 0.25;

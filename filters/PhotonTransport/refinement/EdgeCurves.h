@@ -31,8 +31,7 @@ struct EdgeCurve
 {
   glm::dvec3 offset{ 0.0 }; ///< From the middle of the edge to the curve's; zero: straight.
   double versine = 0.0;     ///< 1 - cos of half the angle by which the normal turns along it.
-  double mostSagitta = RefinementLimits::None; ///< By the limits for sagitta and turn.
-  int halvings = 0;                            ///< How often the edge is halved.
+  int halvings = 0;         ///< How often the edge is halved.
 };
 
 /// @param t 0 at `from`, 1 at `to`.
