@@ -24,6 +24,7 @@ if [ $# -gt 0 ]; then
   exit
 fi
 draw "$examples/cylinder_and_sphere/cylinder_and_sphere.py" "$output"
+draw "$examples/curved_surface/curved_surface.py" "$output"
 draw "$examples/reflecting_disk/reflecting_disk.py" "$output"
 draw "$examples/cabin/cabin.py" "$output"
 draw "$examples/filtration/filtration.py" "$output"

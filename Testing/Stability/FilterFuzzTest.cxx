@@ -88,6 +88,7 @@ protected:
     this->Filter->SetInputData(this->Surface);
     this->Filter->SetRegistration(this->Below(3));
     this->Filter->SetRegisterBackSide(this->Below(2) == 0);
+    this->Filter->SetCurvedSurface(this->Below(2) == 0);
     this->Filter->SetNumberOfThreads(1 + this->Below(2));
     this->Filter->SetFeatureAngle(60.0 * this->Below(4));
     this->Filter->SetLampType(this->Below(vtkIlluminationMap::DISK + 1));

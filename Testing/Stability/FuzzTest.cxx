@@ -3,6 +3,7 @@
 // rapidcheck draws; a million with ILLUMINATION_LONG_TESTS=1. RC_PARAMS="seed=..." draws others.
 #include "RandomScene.h"
 
+#include "PhotonTransport/scene/CurvedSurface.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "TracedMap.h"
 
@@ -109,10 +110,17 @@ void CheckLayers(const IlluminationRun& run, const IlluminationMap& front, std::
   }
 }
 
+/// The surface that is traced. Normals are arbitrary, so patches have hundreds of parts.
+Surface SurfaceOf(const RandomScene& drawn)
+{
+  constexpr std::uint64_t MostFacets = 1000;
+  return drawn.settings.curvedSurface ? CurvedSurface(drawn.surface, MostFacets) : drawn.surface;
+}
+
 /// The whole of what is promised of one run.
 void CheckRun(const RandomScene& drawn)
 {
-  const Scene scene(drawn.surface);
+  const Scene scene(SurfaceOf(drawn));
   IlluminationRun run(scene, drawn.lighting, drawn.settings);
   run.Advance({ drawn.photons });
 
@@ -268,12 +276,12 @@ TEST(Fuzz, ThreadsUnitsAndTheGeneralWalkDoNotChangeABit)
       drawn.settings.threads = 1;
       try
       {
-        const Scene scene(drawn.surface);
+        const Scene scene(SurfaceOf(drawn));
         const TracedMap one(scene, drawn.lighting, drawn.settings, drawn.photons);
         RandomScene other = InUnits(drawn, factor);
         other.settings.threads = 2;
         other.settings.mostGeneralWalk = true;
-        const Scene otherScene(other.surface);
+        const Scene otherScene(SurfaceOf(other));
         const TracedMap two(otherScene, other.lighting, other.settings, other.photons);
         RC_ASSERT(one.HasTheBitsOf(two));
         ++same;

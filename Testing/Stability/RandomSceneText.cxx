@@ -125,7 +125,7 @@ std::ostream& operator<<(std::ostream& out, const RandomScene& scene)
   return out << "\n  seed " << s.seed << ", sampling " << static_cast<int>(s.sampling)
              << ", registration " << static_cast<int>(s.registration) << ", scatterings "
              << s.scatterings << ", colour " << s.colour << ", lamps apart " << s.lampsApart
-             << ", back " << s.registerBackSide << ", bound " << s.weightBound << ", longest path "
-             << s.maximumPathLength << ", threads " << s.threads
-             << "\n  mistake: " << (scene.mistake.empty() ? "none" : scene.mistake);
+             << ", back " << s.registerBackSide << ", curved " << s.curvedSurface << ", bound "
+             << s.weightBound << ", longest path " << s.maximumPathLength << ", threads "
+             << s.threads << "\n  mistake: " << (scene.mistake.empty() ? "none" : scene.mistake);
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/refinement/CurvedPatch.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +33,9 @@ std::optional<std::size_t> FacetEdgeOf(const Points&... points)
 /// As a share of the facet's height of its longest edge.
 constexpr double LeastSlimness = 1e-9;
 
+/// In barycentric coordinates.
+const float ShortestEdge = std::ldexp(1.0f, -EdgeCurves::MostHalvings);
+
 bool IsBefore(const glm::dvec3& p, const glm::dvec3& q)
 {
   return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
@@ -39,8 +44,8 @@ bool IsBefore(const glm::dvec3& p, const glm::dvec3& q)
 } // namespace
 
 CurvedPatch::CurvedPatch(const TriangleMesh& mesh, const MeshEdges& edges, const EdgeCurves& curves,
-  double longestEdge, std::size_t facet)
-  : LongestEdge(longestEdge)
+  const RefinementLimits& limits, std::size_t facet)
+  : Limits(limits)
 {
   const glm::uvec3& ids = mesh.facets[facet];
   this->Order = { 0, 1, 2 };
@@ -54,7 +59,8 @@ CurvedPatch::CurvedPatch(const TriangleMesh& mesh, const MeshEdges& edges, const
     this->Corners[i] = mesh.points[ids[this->Order[i]]];
     this->Offsets[i] = curves[pair.edge].offset;
     this->Halvings[i] = curves[pair.edge].halvings;
-    this->MostSagitta[i] = curves[pair.edge].mostSagitta;
+    const double cosine = 1.0 - curves[pair.edge].versine; // of half the turn
+    this->Turns2[i] = 4.0 * (1.0 - cosine * cosine);
     this->From[i] = pair.from == ids[this->Order[next]] ? next : 3 - i - next;
   }
 }
@@ -98,38 +104,27 @@ glm::dvec3 CurvedPatch::AtOrdered(const glm::vec3& barycentric) const
 
 bool CurvedPatch::Halves(const glm::vec3& p, const glm::vec3& q) const
 {
-  const glm::vec3 way = q - p;
-  const float extent = std::max({ std::fabs(way.x), std::fabs(way.y), std::fabs(way.z) });
-  if (const std::optional<std::size_t> edge = FacetEdgeOf(p, q))
+  const glm::vec3 way = glm::abs(q - p);
+  const float extent = std::max({ way.x, way.y, way.z });
+  // An edge inside the facet that all but runs along one of the facet's is halved as that one is:
+  // where a short edge stays whole, triangles on it would otherwise be divided without end.
+  const std::size_t along = FacetEdgeOf(p, q).value_or(way.x <= std::min(way.y, way.z) ? 0
+      : way.y <= way.z                                                                 ? 1
+                                                                                       : 2);
+  if (way[static_cast<int>(along)] < ShortestEdge)
   {
-    return extent > std::ldexp(1.0f, -this->Halvings[*edge]);
-  }
-  if (!(extent > std::ldexp(1.0f, -EdgeCurves::MostHalvings)))
-  {
-    return false;
+    return extent > std::ldexp(1.0f, -this->Halvings[along]);
   }
   // From the middle of the edge to the patch there: second differences of a quadratic form.
-  const glm::dvec3 d(way);
-  const glm::dvec3 offset =
-    -(d.y * d.z * this->Offsets[0] + d.z * d.x * this->Offsets[1] + d.x * d.y * this->Offsets[2]);
-  return glm::length(this->AtOrdered(q) - this->AtOrdered(p)) > this->LongestEdge ||
-    glm::length(offset) > this->MostSagittaAlong(way);
-}
-
-/// That of the facet's edge whose direction is the nearest; if it has none, the least of all.
-double CurvedPatch::MostSagittaAlong(const glm::vec3& way) const
-{
-  std::size_t nearest = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-  {
-    if (std::fabs(way[static_cast<int>(i)]) < std::fabs(way[static_cast<int>(nearest)]))
-    {
-      nearest = i;
-    }
-  }
-  return std::isinf(this->MostSagitta[nearest])
-    ? *std::min_element(this->MostSagitta.begin(), this->MostSagitta.end())
-    : this->MostSagitta[nearest];
+  const glm::dvec3 d(q - p);
+  const auto middle = [&d](const auto& ofEdges)
+  { return -(d.y * d.z * ofEdges[0] + d.z * d.x * ofEdges[1] + d.x * d.y * ofEdges[2]); };
+  const double length = glm::length(this->AtOrdered(q) - this->AtOrdered(p));
+  const double sagitta = glm::length(middle(this->Offsets));
+  // Normals in between are linear: their squared differences are such a form, too.
+  const double most = 2.0 * std::sin(0.5 * std::min(this->Limits.turn, glm::pi<double>()));
+  return length > this->Limits.length || sagitta > this->Limits.sagitta ||
+    (middle(this->Turns2) > most * most && sagitta > EdgeCurves::Straight * length);
 }
 
 bool CurvedPatch::Turns() const

@@ -14,9 +14,9 @@ namespace PhotonTransport
 class CurvedPatch
 {
 public:
-  /// @param longestEdge See RefinementLimits::length.
+  /// @param limits Those by which the curves were divided.
   CurvedPatch(const TriangleMesh& mesh, const MeshEdges& edges, const EdgeCurves& curves,
-    double longestEdge, std::size_t facet);
+    const RefinementLimits& limits, std::size_t facet);
 
   bool IsWhole() const
   {
@@ -54,15 +54,14 @@ private:
   /// Whether the edge between two points of the patch is to be halved. On an edge of the facet this
   /// is a matter of the edge alone.
   bool Halves(const glm::vec3& p, const glm::vec3& q) const;
-  double MostSagittaAlong(const glm::vec3& way) const;
 
-  double LongestEdge;
+  RefinementLimits Limits;
   std::array<int, 3> Order; ///< Of each corner: its place in the facet.
   std::array<glm::dvec3, 3> Corners;
   std::array<glm::dvec3, 3> Offsets; ///< Edge i is opposite to corner i.
   std::array<int, 3> Halvings;
-  std::array<double, 3> MostSagitta; ///< In the direction of each edge.
-  std::array<std::size_t, 3> From;   ///< The corner where edge i begins.
+  std::array<double, 3> Turns2; ///< Squared difference of the unit normals at the ends of edge i.
+  std::array<std::size_t, 3> From; ///< The corner where edge i begins.
 };
 
 } // namespace PhotonTransport

@@ -163,9 +163,7 @@ void EdgeCurves::Divide(std::size_t edge, const RefinementLimits& limits)
 {
   EdgeCurve& curve = this->Curves[edge];
   double length = glm::length(this->Along(edge)), sagitta = glm::length(curve.offset);
-  // The sagitta of an arc is its radius times its versine. Where an edge is all but straight,
-  // though the normal turns about it, there is nothing to follow.
-  constexpr double Straight = 1e-5;
+  // The sagitta of an arc is its radius times its versine.
   const double versine = 1.0 - std::cos(0.5 * std::min(limits.turn, glm::pi<double>()));
   const double byTurn = curve.versine > versine
     ? std::max(sagitta * versine / curve.versine, Straight * length)

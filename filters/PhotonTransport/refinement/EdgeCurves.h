@@ -50,6 +50,9 @@ class EdgeCurves
 public:
   /// An edge has 2^10 parts at most.
   static constexpr int MostHalvings = 10;
+  /// Where the sagitta is less than this share of the edge, though the normal turns about the edge,
+  /// there is nothing to follow.
+  static constexpr double Straight = 1e-5;
 
   /// All edges whole. @param mesh, edges Must outlive it.
   EdgeCurves(const TriangleMesh& mesh, const MeshEdges& edges);

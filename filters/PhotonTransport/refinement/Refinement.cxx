@@ -103,7 +103,7 @@ const RefinementLimits& Refinement::Fit(std::uint64_t most)
 
 CurvedPatch Refinement::PatchOf(std::size_t facet) const
 {
-  return { this->Mesh, this->Edges, this->Curves, this->Limits.length, facet };
+  return { this->Mesh, this->Edges, this->Curves, this->Limits, facet };
 }
 
 /// A noisy normal may bend a patch so far that a part of it turns its back. The edges of such a
