@@ -126,6 +126,20 @@ TEST(Reasons, ACurvedSurfaceIsForTiltedNormals)
     "the normal turns by 7 degrees at most along an edge");
 }
 
+TEST(Reasons, ACurvedSurfaceIsCoarseWhereMemoryIsShort)
+{
+  EffectSettings settings;
+  settings.curvedSurface = true;
+  const Surface sphere = Shapes::Icosphere(1, Shapes::Facing::Outward);
+  ExpectReason(Analysed(CurvedSurface(sphere, 80), settings),
+    "curved surface: off, though triangles are curved: there is no memory for their parts");
+  ExpectReason(Analysed(CurvedSurface(sphere, 2000), settings),
+    "curved surface: on, 80 of 80 triangles are traced as 1280 parts of curved patches, of which "
+    "the normal turns by 14 degrees at most along an edge; there is no memory for more");
+  ExpectReason(
+    Analysed(CurvedSurface(Cube({}), 12), settings), "curved surface: off, all triangles are flat");
+}
+
 TEST(Reasons, ColourIsForFacetsOrLampsThatHaveOne)
 {
   Material red;

@@ -141,6 +141,23 @@ TEST_F(FilterMemory, MoreThanTheLimitIsRefused)
   this->ExpectMap();
 }
 
+// A run that was made with less memory does not go on from its coarser patches.
+TEST_F(FilterMemory, CurvedPatchesAreAsFineAsTheLimitAllows)
+{
+  vtkNew<vtkSphereSource> sphere;
+  this->Filter->SetInputConnection(sphere->GetOutputPort());
+  this->Filter->SetCurvedSurface(true);
+  this->ExpectMap();
+  const double fine = this->Needed();
+  this->Filter->SetSeed(2); // another run
+  this->Filter->SetMemoryLimit(0.5 * fine * 0x1p-30);
+  this->ExpectMap();
+  EXPECT_LT(this->Needed(), 0.5 * fine);
+  this->Filter->SetMemoryLimit(0.0);
+  this->ExpectMap();
+  EXPECT_EQ(this->Needed(), fine);
+}
+
 TEST_F(FilterMemory, MoreThanTheMachineHasIsRefused)
 {
   const std::optional<std::uint64_t> available = PhotonTransport::AvailableMemory();

@@ -91,6 +91,13 @@ struct vtkIlluminationMap::KeptRun
   PhotonTransport::IlluminationRun Run;
   Origins MadeFrom;
   std::uint64_t MemoryNeed; ///< Without group means.
+  double MemoryLimit = 0.0; ///< The property as it was, GiB.
+
+  /// Whether another limit may allow more parts of curved patches.
+  bool IsCoarseForAnother(double memoryLimit) const
+  {
+    return this->Scene.Notes().isCoarse && memoryLimit != this->MemoryLimit;
+  }
 };
 
 vtkIlluminationMap::vtkIlluminationMap()
@@ -228,7 +235,8 @@ std::uint64_t vtkIlluminationMap::PrepareRun(const SceneBlocks& blocks,
   const std::uint64_t forGroups =
     this->GroupMeans ? blocks.Surface().points.size() * PhotonTransport::GroupMeansPerVertex : 0;
   const std::uint64_t memoryLimit = this->MemoryLimitInBytes();
-  if (!this->Kept || this->Kept->MadeFrom != origins || !this->Kept->Run.CanGoOnTo(photons))
+  if (!this->Kept || this->Kept->MadeFrom != origins || !this->Kept->Run.CanGoOnTo(photons) ||
+    this->Kept->IsCoarseForAnother(this->MemoryLimit))
   {
     this->Kept.reset(); // first, so that two never share the memory
     const PhotonTransport::Surface surface = this->CurvedSurface
@@ -244,6 +252,7 @@ std::uint64_t vtkIlluminationMap::PrepareRun(const SceneBlocks& blocks,
     this->UpdateProgress(0.0);
     this->Kept =
       std::make_unique<KeptRun>(surface, lighting, settings, std::move(origins), needOfRun);
+    this->Kept->MemoryLimit = this->MemoryLimit;
   }
   return this->Kept->MemoryNeed + forGroups;
 }

@@ -52,12 +52,14 @@ std::string CurvedLine(const Effects& effects)
   }
   if (counts.curvedFacets == 0)
   {
-    return "curved surface: off, all triangles are flat";
+    return counts.isCoarse
+      ? "curved surface: off, though triangles are curved: there is no memory for their parts"
+      : "curved surface: off, all triangles are flat";
   }
   return Text("curved surface: on, ", counts.curvedFacets, " of ", counts.facets,
     " triangles are traced as ", counts.parts,
     " parts of curved patches, of which the normal turns by ", glm::degrees(counts.turn),
-    " degrees at most along an edge");
+    " degrees at most along an edge", counts.isCoarse ? "; there is no memory for more" : "");
 }
 
 std::string ScatteringLine(const Effects& effects, unsigned scattering, double switchedOff)

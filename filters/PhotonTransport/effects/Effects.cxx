@@ -22,6 +22,7 @@ EffectCounts CountsOf(const Scene& scene, const Lighting& lighting)
   counts.curvedFacets = scene.Notes().curvedFacets;
   counts.parts = scene.Notes().curvedFacets + scene.Facets().size() - counts.facets;
   counts.turn = scene.Notes().turn;
+  counts.isCoarse = scene.Notes().isCoarse;
   counts.scatteringFacets = scene.Notes().scatteringFacets;
   counts.colouredFacets = scene.Notes().colouredFacets;
   counts.lamps = lighting.luminaires.size();

@@ -20,6 +20,7 @@ struct EffectCounts
   std::size_t curvedFacets = 0;                            ///< They are traced as curved patches.
   std::size_t parts = 0;                                   ///< Of the curved facets.
   double turn = 0.0;                                       ///< See GivenSurface.
+  bool isCoarse = false;                                   ///< See GivenSurface.
   std::array<std::size_t, Scatterings> scatteringFacets{}; ///< [Scattering]
   std::size_t colouredFacets = 0; ///< They treat the channels unequally, or shine in a colour.
   std::size_t lamps = 0;

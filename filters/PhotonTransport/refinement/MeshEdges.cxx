@@ -2,11 +2,13 @@
 #include "PhotonTransport/refinement/MeshEdges.h"
 
 #include "PhotonTransport/refinement/SortedEnds.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include <glm/geometric.hpp>
 #include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <tuple>
 
@@ -158,25 +160,40 @@ bool MeshEdges::JoinBorders(const TriangleMesh& mesh, std::vector<std::uint32_t>
     }
   }
   const SortedEnds sorted(ends);
-  bool joined = false;
-  for (std::size_t i = 0; i < ends.size(); i += 2)
-  {
-    const glm::dvec3 &from = ends[i].point, &to = ends[i + 1].point;
-    const double gap = GapBetween(from, to, mesh.rounding);
-    const auto [first, last] = sorted.Near(from - gap, from + gap);
-    for (const End* end = first; end != last; ++end)
+  PerThread<std::vector<std::array<std::uint32_t, 2>>> onePlace(MostThreadIndices());
+  ForEach(ends.size() / 2,
+    [&](std::size_t i)
     {
-      const PointPair &own = this->FirstPair(ends[i].edge), &other = this->FirstPair(end->edge);
-      const bool along = IsNear(mesh.points[other.from], from, gap);
-      const std::uint32_t otherFrom = along ? other.from : other.to;
-      const std::uint32_t otherTo = along ? other.to : other.from;
-      if (end->edge > ends[i].edge && glm::distance(from, to) > 2.0 * gap &&
-        IsNear(mesh.points[otherFrom], from, gap) && IsNear(mesh.points[otherTo], to, gap))
+      const End &first = ends[2 * i], &last = ends[2 * i + 1];
+      const double gap = GapBetween(first.point, last.point, mesh.rounding);
+      if (!(glm::distance(first.point, last.point) > 2.0 * gap))
       {
-        Join(places, own.from, otherFrom);
-        Join(places, own.to, otherTo);
-        joined = true;
+        return;
       }
+      const PointPair& own = this->FirstPair(first.edge);
+      const auto join = [&](const End& near)
+      {
+        const PointPair& other = this->FirstPair(near.edge);
+        const bool along = IsNear(mesh.points[other.from], first.point, gap);
+        const std::uint32_t otherFrom = along ? other.from : other.to;
+        const std::uint32_t otherTo = along ? other.to : other.from;
+        if (near.edge > first.edge && IsNear(mesh.points[otherFrom], first.point, gap) &&
+          IsNear(mesh.points[otherTo], last.point, gap))
+        {
+          onePlace.Own().push_back({ own.from, otherFrom });
+          onePlace.Own().push_back({ own.to, otherTo });
+        }
+      };
+      sorted.ForEachWithin(first.point - gap, first.point + gap, join);
+    });
+  // A place is the least of those that it is joined of, in whichever order.
+  bool joined = false;
+  for (const auto& pairs : onePlace)
+  {
+    for (const auto& [one, other] : pairs)
+    {
+      Join(places, one, other);
+      joined = true;
     }
   }
   for (std::uint32_t& place : places)

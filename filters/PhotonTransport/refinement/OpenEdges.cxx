@@ -2,6 +2,7 @@
 #include "PhotonTransport/refinement/OpenEdges.h"
 
 #include "PhotonTransport/refinement/SortedEnds.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include <glm/geometric.hpp>
 
@@ -23,19 +24,19 @@ void AddIfDivided(std::uint32_t edge, const glm::dvec3& from, const glm::dvec3& 
   {
     return;
   }
-  const auto [first, last] = ends.Near(glm::min(from, to) - gap, glm::max(from, to) + gap);
   std::vector<std::uint32_t> onEdge; // an edge with both ends here is here twice
   bool divided = false;
-  for (const End* end = first; end != last; ++end)
-  {
-    const glm::dvec3 beside = end->point - from;
-    const double place = std::clamp(glm::dot(beside, along) / length, 0.0, length);
-    if (end->edge != edge && glm::length(beside - (place / length) * along) <= gap)
+  ends.ForEachWithin(glm::min(from, to) - gap, glm::max(from, to) + gap,
+    [&](const End& end)
     {
-      divided = divided || (place > gap && place < length - gap);
-      onEdge.push_back(end->edge);
-    }
-  }
+      const glm::dvec3 beside = end.point - from;
+      const double place = std::clamp(glm::dot(beside, along) / length, 0.0, length);
+      if (end.edge != edge && glm::length(beside - (place / length) * along) <= gap)
+      {
+        divided = divided || (place > gap && place < length - gap);
+        onEdge.push_back(end.edge);
+      }
+    });
   if (divided)
   {
     found.push_back(edge);
@@ -62,11 +63,18 @@ std::vector<std::uint32_t> EdgesWithPointsOnThem(const TriangleMesh& mesh, const
     }
   }
   const SortedEnds sorted(ends);
+  PerThread<std::vector<std::uint32_t>> onThreads(MostThreadIndices());
+  ForEach(ends.size() / 2,
+    [&](std::size_t i)
+    {
+      const glm::dvec3 &from = ends[2 * i].point, &to = ends[2 * i + 1].point;
+      AddIfDivided(
+        ends[2 * i].edge, from, to, GapBetween(from, to, mesh.rounding), sorted, onThreads.Own());
+    });
   std::vector<std::uint32_t> found;
-  for (std::size_t i = 0; i < ends.size(); i += 2)
+  for (const std::vector<std::uint32_t>& some : onThreads)
   {
-    const glm::dvec3 &from = ends[i].point, &to = ends[i + 1].point;
-    AddIfDivided(ends[i].edge, from, to, GapBetween(from, to, mesh.rounding), sorted, found);
+    found.insert(found.end(), some.begin(), some.end());
   }
   return found;
 }

@@ -37,6 +37,7 @@ Surface CurvedSurface(Surface surface, std::uint64_t mostFacets)
   limits.turn = glm::radians(7.0);
   const LimitedRefinement limited = LimitFacets(
     { surface.points, surface.normals, surface.facets, surface.rounding }, limits, mostFacets);
+  surface.given.isCoarse = limited.widened;
   if (limited.refinement->IsTrivial())
   {
     return surface;

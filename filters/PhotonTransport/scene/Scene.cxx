@@ -53,6 +53,7 @@ Scene::Scene(const Surface& surface)
   this->Place = FitPlacement(surface.points, surface.facets);
   this->Rounding = { this->Place.PointToScene(glm::dvec3(0.0)), surface.rounding };
   this->Found.turn = surface.given.turn;
+  this->Found.isCoarse = surface.given.isCoarse;
   this->RequireSize();
   std::vector<glm::vec3> positions = ScenePositions(surface, this->Place);
   this->AddFacets(surface, positions);

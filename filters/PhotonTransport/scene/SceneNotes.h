@@ -55,6 +55,7 @@ struct SceneNotes
   SharedPlaceNotes sharedPlaces;
   std::size_t curvedFacets = 0;   ///< Given facets that a refined surface has in several parts.
   double turn = 0.0;              ///< See GivenSurface.
+  bool isCoarse = false;          ///< See GivenSurface.
   std::size_t colouredFacets = 0; ///< See IsColoured.
 };
 

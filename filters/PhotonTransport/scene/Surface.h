@@ -19,6 +19,8 @@ struct GivenSurface
   std::vector<glm::uvec3> facets;
   std::size_t points = 0; ///< They are the first points of the refined surface, too.
   double turn = 0.0;      ///< The limit that the refinement kept to, see RefinementLimits; radians.
+  /// Whether more parts were wanted than were allowed. It may also be that there are none.
+  bool isCoarse = false;
   /// Which part of which given facet a facet is, one a facet. Parts of a facet follow each other.
   std::vector<FacetOrigin> origins;
 
