@@ -119,11 +119,12 @@ TEST(Reasons, ACurvedSurfaceIsForTiltedNormals)
 {
   EffectSettings settings;
   settings.curvedSurface = true;
-  ExpectReason(Analysed(Cube({}), settings), "curved surface: off, all triangles are flat");
+  ExpectReason(Analysed(Cube({}), settings),
+    "curved surface: off, no triangle's normals turn by more than 7 degrees along an edge");
   const Surface sphere = CurvedSurface(Shapes::Icosphere(1, Shapes::Facing::Outward));
   ExpectReason(Analysed(sphere, settings),
     "curved surface: on, 80 of 80 triangles are traced as 5120 parts of curved patches, of which "
-    "the normal turns by 7 degrees at most along an edge");
+    "the normal turns by about 7 degrees at most along an edge");
 }
 
 TEST(Reasons, ACurvedSurfaceIsCoarseWhereMemoryIsShort)
@@ -135,9 +136,9 @@ TEST(Reasons, ACurvedSurfaceIsCoarseWhereMemoryIsShort)
     "curved surface: off, though triangles are curved: there is no memory for their parts");
   ExpectReason(Analysed(CurvedSurface(sphere, 2000), settings),
     "curved surface: on, 80 of 80 triangles are traced as 1280 parts of curved patches, of which "
-    "the normal turns by 14 degrees at most along an edge; there is no memory for more");
-  ExpectReason(
-    Analysed(CurvedSurface(Cube({}), 12), settings), "curved surface: off, all triangles are flat");
+    "the normal turns by about 14 degrees at most along an edge; there is no memory for more");
+  ExpectReason(Analysed(CurvedSurface(Cube({}), 12), settings),
+    "curved surface: off, no triangle's normals turn by more than 7 degrees along an edge");
 }
 
 TEST(Reasons, ColourIsForFacetsOrLampsThatHaveOne)

@@ -53,7 +53,8 @@
  *
  * If fluxes are given in watts instead of lumens, the result is irradiance in W/m^2.
  *
- * The result is a function of the input and the properties alone, but for TimeLimit and an abort.
+ * The result is a function of the input and the properties alone, but for TimeLimit, an abort, and
+ * CurvedSurface where memory is too short for its parts: they are then coarser, as Effects says.
  * It has the same bits for any NumberOfThreads. If only Photons, TargetRelativeError, TimeLimit,
  * MemoryLimit or GroupMeans change, and Photons is no less than what has been traced, the run goes
  * on from what it has; its result has the bits of a run to as many photons in one go. Bad input
@@ -423,7 +424,7 @@ public:
    * Whether light is traced on the curved surface that points and normals tell of, in place of the
    * flat triangles: shadows get round outlines, coarse bodies catch the light that the curved ones
    * would, and coarse facets do not shade themselves. Each triangle whose normals differ is divided
-   * along a quadratic patch until the normal turns by 7 degrees at most along an edge; flat
+   * along a quadratic patch until the normal turns by about 7 degrees at most along an edge; flat
    * triangles stay whole, and a surface that is flat everywhere is traced as before. The light
    * still counts for the input's points. Illuminances are per area of the curved surface. A part
    * takes about 0.5 KB of memory. Default: off.

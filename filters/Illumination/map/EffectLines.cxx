@@ -54,11 +54,11 @@ std::string CurvedLine(const Effects& effects)
   {
     return counts.isCoarse
       ? "curved surface: off, though triangles are curved: there is no memory for their parts"
-      : "curved surface: off, all triangles are flat";
+      : "curved surface: off, no triangle's normals turn by more than 7 degrees along an edge";
   }
   return Text("curved surface: on, ", counts.curvedFacets, " of ", counts.facets,
     " triangles are traced as ", counts.parts,
-    " parts of curved patches, of which the normal turns by ", glm::degrees(counts.turn),
+    " parts of curved patches, of which the normal turns by about ", glm::degrees(counts.turn),
     " degrees at most along an edge", counts.isCoarse ? "; there is no memory for more" : "");
 }
 

@@ -91,7 +91,8 @@ public:
       });
   }
 
-  /// Gives interpolated normals unit length. Where they cancel out, the nearest corner's counts.
+  /// Gives interpolated normals unit length. Where they cancel out, the nearest corner's counts;
+  /// where a corner's is not finite, there is none: zero.
   void Normalise(vtkDataArray* normals) const
   {
     this->ForEach(
@@ -100,13 +101,13 @@ public:
         glm::dvec3 normal;
         normals->GetTuple(id, &normal.x);
         const double length = glm::length(normal);
-        if (point.isCopy || !std::isfinite(length))
+        if (point.isCopy)
         {
           return;
         }
-        if (length > 0.0)
+        if (length > 0.0 || !std::isfinite(length))
         {
-          normal /= length;
+          normal = std::isfinite(length) ? normal / length : glm::dvec3(0.0);
           normals->SetTuple(id, &normal.x);
         }
         else
