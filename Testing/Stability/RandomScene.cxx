@@ -19,7 +19,7 @@ TraceSettings DrawSettings()
   settings.colour = !OneIn(4);
   settings.lampsApart = OneIn(2);
   settings.registerBackSide = OneIn(2);
-  settings.curvedSurface = OneIn(2);
+  settings.curvedSurface = OneIn(4);
   settings.weightBound = OneOf({ 16.0f, 1.0f, 2.5f, 0x1p20f });
   settings.maximumPathLength = OneOf({ 20u, 1u, 2u, 200u });
   settings.threads = 1 + Below(2);
