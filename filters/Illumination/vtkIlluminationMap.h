@@ -427,7 +427,7 @@ public:
    * along a quadratic patch until the normal turns by about 7 degrees at most along an edge; flat
    * triangles stay whole, and a surface that is flat everywhere is traced as before. The light
    * still counts for the input's points. Illuminances are per area of the curved surface. A part
-   * takes about 0.5 KB of memory. Default: off.
+   * takes about 0.6 KB of memory. Default: off.
    */
   vtkSetMacro(CurvedSurface, bool);
   vtkGetMacro(CurvedSurface, bool);

@@ -5,9 +5,8 @@
 #include "Illumination/pipeline/Text.h"
 #include "Illumination/pipeline/VtkVersion.h"
 #include "Illumination/refinement/RefinedBlocks.h"
-#include "PhotonTransport/refinement/LimitedRefinement.h"
 
-#include "PhotonTransport/refinement/Refinement.h"
+#include "PhotonTransport/refinement/LimitedRefinement.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformationVector.h"

@@ -10,7 +10,6 @@
 
 #include "vtkDataArray.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -107,7 +106,7 @@ void SceneBlocks::Append(SceneBlock block, const SurfaceDescription& description
   block.cellOfFacet = CellsOfTriangles(mesh);
   AppendPoints(mesh, this->All.points);
   this->All.rounding = std::max(this->All.rounding, RoundingOfPoints(block.data));
-  this->AddNormals(mesh);
+  AppendNormals(mesh, this->All.normals);
   AppendFacets(mesh, block.firstVertex, this->All.facets);
   if (!description.exitanceArray.empty())
   {
@@ -116,17 +115,6 @@ void SceneBlocks::Append(SceneBlock block, const SurfaceDescription& description
     this->All.exitance.insert(this->All.exitance.end(), exitance.begin(), exitance.end());
   }
   this->Parts.push_back(std::move(block));
-}
-
-void SceneBlocks::AddNormals(vtkPolyData* mesh)
-{
-  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
-  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
-  {
-    glm::dvec3 normal;
-    normals->GetTuple(p, &normal.x);
-    this->All.normals.push_back(normal);
-  }
 }
 
 /// Blocks without a triangle get arrays as the others do, or the output would have them in part.

@@ -11,7 +11,6 @@
 #include <vector>
 
 class vtkDataObject;
-class vtkPolyData;
 
 namespace Illumination
 {
@@ -34,7 +33,6 @@ public:
 
 private:
   void Append(SceneBlock block, const SurfaceDescription& description);
-  void AddNormals(vtkPolyData* mesh);
   void AppendUnlit();
   void LendVertices();
 

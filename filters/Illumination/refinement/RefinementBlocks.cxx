@@ -16,6 +16,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+
 namespace Illumination
 {
 namespace
@@ -87,14 +89,7 @@ void RefinementBlocks::Append(const NamedSurface& part, double featureAngle)
   AppendPoints(mesh, this->Points);
   this->Rounding = std::max(this->Rounding, RoundingOfPoints(part.data));
   AppendFacets(mesh, block.firstVertex, this->Facets);
-  this->Normals.resize(this->Points.size(), glm::dvec3(0.0));
-  if (vtkDataArray* normals = mesh->GetPointData()->GetNormals())
-  {
-    for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
-    {
-      normals->GetTuple(p, &this->Normals[block.firstVertex + static_cast<std::size_t>(p)].x);
-    }
-  }
+  AppendNormals(mesh, this->Normals);
   this->Parts.push_back(std::move(block));
 }
 

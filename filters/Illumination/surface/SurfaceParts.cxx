@@ -5,6 +5,8 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -44,6 +46,20 @@ void AppendPoints(vtkPolyData* mesh, std::vector<glm::dvec3>& points)
     glm::dvec3 point;
     mesh->GetPoint(p, &point.x);
     points.push_back(point);
+  }
+}
+
+void AppendNormals(vtkPolyData* mesh, std::vector<glm::dvec3>& normals)
+{
+  vtkDataArray* array = mesh->GetPointData()->GetNormals();
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    glm::dvec3 normal(0.0);
+    if (array)
+    {
+      array->GetTuple(p, &normal.x);
+    }
+    normals.push_back(normal);
   }
 }
 

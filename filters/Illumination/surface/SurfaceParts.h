@@ -32,6 +32,8 @@ SurfaceParts PartsOf(vtkDataObject* data);
 
 /// The points of a mesh of triangles, behind those that are there.
 void AppendPoints(vtkPolyData* mesh, std::vector<glm::dvec3>& points);
+/// Its point normals; zero where it has none.
+void AppendNormals(vtkPolyData* mesh, std::vector<glm::dvec3>& normals);
 /// Its triangles. @param firstPoint The number that point 0 of the mesh has.
 void AppendFacets(vtkPolyData* mesh, std::size_t firstPoint, std::vector<glm::uvec3>& facets);
 

@@ -30,9 +30,6 @@ std::optional<std::size_t> FacetEdgeOf(const Points&... points)
   return std::nullopt;
 }
 
-/// As a share of the facet's height of its longest edge.
-constexpr double LeastSlimness = 1e-9;
-
 /// In barycentric coordinates.
 const float ShortestEdge = std::ldexp(1.0f, -EdgeCurves::MostHalvings);
 
@@ -138,7 +135,7 @@ bool CurvedPatch::Turns() const
   const glm::dvec3 ac = this->Corners[2] - this->Corners[0];
   const glm::dvec3 area = this->IsOrdered() ? glm::cross(ab, ac) : glm::cross(ac, ab);
   const double longest = std::max({ glm::length(ab), glm::length(ac), glm::length(ac - ab) });
-  bool turns = !(glm::length(area) > LeastSlimness * longest * longest);
+  bool turns = !(glm::length(area) > EdgeCurves::LeastSlimness * longest * longest);
   const auto look = [&](const FacetTriangle& part)
   {
     const glm::dvec3 a = this->At(part[0]);

@@ -26,9 +26,6 @@ struct Rise
   double versine;       ///< See EdgeCurve.
 };
 
-/// A facet this much flatter than long has no direction to speak of.
-constexpr double LeastSlimness = 1e-9;
-
 /// The rise of an arc that is normal to `n0` and `n1` at its ends: with the chord d of length L and
 /// s = (n1 - n0).d / 2L, half the angle it turns by has the sine s, and the height is
 /// (L / 2) tan(half that angle) = (L / 2) s / (1 + sqrt(1 - s^2)). It is the quadratic curve of
@@ -41,7 +38,7 @@ std::optional<Rise> RiseOf(
 {
   const double length = glm::length(along);
   const double tilt0 = glm::dot(n0, area), tilt1 = glm::dot(n1, area);
-  if (!(tilt0 * tilt1 > 0.0) || !(glm::length(area) > LeastSlimness * length * length))
+  if (!(tilt0 * tilt1 > 0.0) || !(glm::length(area) > EdgeCurves::LeastSlimness * length * length))
   {
     return std::nullopt;
   }
@@ -124,8 +121,21 @@ void EdgeCurves::Divide(const RefinementLimits& limits)
 
 void EdgeCurves::Straighten(std::uint32_t edge, const RefinementLimits& limits)
 {
+  if (this->Curves[edge].offset != glm::dvec3(0.0) || this->Curves[edge].versine != 0.0)
+  {
+    this->Straightened.emplace_back(edge, this->Curves[edge]);
+  }
   this->Curves[edge] = {};
   this->Divide(edge, limits);
+}
+
+void EdgeCurves::Restore()
+{
+  for (const auto& [edge, curve] : this->Straightened)
+  {
+    this->Curves[edge] = curve;
+  }
+  this->Straightened.clear();
 }
 
 glm::dvec3 EdgeCurves::Along(std::size_t edge) const

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace PhotonTransport
@@ -52,6 +53,9 @@ public:
   /// Where the sagitta is less than this share of the edge, though the normal turns about the edge,
   /// there is nothing to follow.
   static constexpr double Straight = 1e-5;
+  /// A facet whose area is less than this share of its longest edge squared has no direction to
+  /// speak of.
+  static constexpr double LeastSlimness = 1e-9;
 
   /// All edges whole. @param mesh, edges Must outlive it.
   EdgeCurves(const TriangleMesh& mesh, const MeshEdges& edges);
@@ -61,6 +65,8 @@ public:
 
   const EdgeCurve& operator[](std::uint32_t edge) const { return this->Curves[edge]; }
   void Straighten(std::uint32_t edge, const RefinementLimits& limits);
+  /// Curves again what was straightened.
+  void Restore();
 
 private:
   glm::dvec3 Along(std::size_t edge) const;
@@ -70,6 +76,7 @@ private:
   const TriangleMesh& Mesh;
   const MeshEdges& Edges;
   std::vector<EdgeCurve> Curves;
+  std::vector<std::pair<std::uint32_t, EdgeCurve>> Straightened; ///< What was there before.
 };
 
 } // namespace PhotonTransport

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/refinement/LimitedRefinement.h"
 
-#include "PhotonTransport/refinement/EdgeCurves.h"
-
-#include <algorithm>
 #include <cmath>
 
 namespace PhotonTransport
@@ -20,67 +17,39 @@ RefinementLimits Wider(RefinementLimits limits, int halvings)
   return limits;
 }
 
-/// How many facets there were if each was divided as finely everywhere as at its finest edge.
-std::uint64_t MostFacets(const TriangleMesh& mesh, const MeshEdges& edges, const EdgeCurves& curves)
-{
-  std::uint64_t sum = 0;
-  for (std::size_t f = 0; f < mesh.facets.size(); ++f)
-  {
-    int halvings = 0;
-    for (std::size_t side = 0; side < 3; ++side)
-    {
-      halvings = std::max(halvings, curves[edges.EdgeOf(f, side)].halvings);
-    }
-    sum += std::uint64_t{ 1 } << (2 * halvings);
-  }
-  return sum;
-}
-
-/// How many halvings less are sure to give no more facets than `most`, which is more than the mesh
-/// has.
-int HalvingsToSave(const TriangleMesh& mesh, const RefinementLimits& limits, std::uint64_t most)
-{
-  const MeshEdges edges(mesh);
-  EdgeCurves curves(mesh, edges);
-  int halvings = 0;
-  curves.Divide(limits);
-  while (MostFacets(mesh, edges, curves) > most)
-  {
-    curves.Divide(Wider(limits, ++halvings));
-  }
-  return halvings;
-}
-
 } // namespace
 
 LimitedRefinement LimitFacets(
   const TriangleMesh& mesh, const RefinementLimits& limits, std::uint64_t most)
 {
-  LimitedRefinement result{ nullptr, limits, false };
+  LimitedRefinement result{ std::make_unique<Refinement>(mesh), limits, false };
+  Refinement& refinement = *result.refinement;
   if (mesh.facets.size() >= most)
   {
     result.limits = {};
-    result.refinement = std::make_unique<Refinement>(mesh, result.limits);
-    const MeshEdges edges(mesh);
-    EdgeCurves curves(mesh, edges);
-    curves.Divide(limits);
-    result.widened = MostFacets(mesh, edges, curves) > mesh.facets.size();
+    result.widened = refinement.FacetsAtMost(limits) > mesh.facets.size();
+    refinement.Divide(result.limits);
     return result;
   }
+  int saved = 0; // halvings, so many that there are surely no more facets than allowed
+  while (refinement.FacetsAtMost(Wider(limits, saved)) > most)
+  {
+    ++saved;
+  }
   // A halving more gives four times as many facets at most.
-  for (int saved = HalvingsToSave(mesh, limits, most); saved >= 0; --saved)
+  for (; saved >= 0; --saved)
   {
     result.limits = Wider(limits, saved);
     result.widened = saved > 0;
-    result.refinement = std::make_unique<Refinement>(mesh, result.limits);
-    if (3 * result.refinement->NumberOfFacets() > most)
+    refinement.Divide(result.limits);
+    if (3 * refinement.NumberOfFacets() > most)
     {
       break;
     }
   }
-  if (result.refinement->NumberOfFacets() > most)
+  if (refinement.NumberOfFacets() > most)
   {
-    result.limits = result.refinement->Fit(most);
+    result.limits = refinement.Fit(most);
     result.widened = true;
   }
   return result;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/refinement/MeshEdges.h"
 
-#include "PhotonTransport/refinement/SortedEnds.h"
 #include "PhotonTransport/threads/Threads.h"
 
 #include <glm/geometric.hpp>
@@ -146,9 +145,7 @@ void MeshEdges::Build(const TriangleMesh& mesh, const std::vector<std::uint32_t>
   this->FirstSides.push_back(static_cast<std::uint32_t>(sides.size()));
 }
 
-/// Makes one place of the ends of two open edges that differ by rounding, and tells whether there
-/// were any.
-bool MeshEdges::JoinBorders(const TriangleMesh& mesh, std::vector<std::uint32_t>& places) const
+std::vector<End> MeshEdges::OpenEnds(const TriangleMesh& mesh) const
 {
   std::vector<End> ends;
   for (std::uint32_t edge = 0; edge < this->Number(); ++edge)
@@ -159,6 +156,14 @@ bool MeshEdges::JoinBorders(const TriangleMesh& mesh, std::vector<std::uint32_t>
       ends.push_back({ mesh.points[this->FirstPair(edge).to], edge });
     }
   }
+  return ends;
+}
+
+/// Makes one place of the ends of two open edges that differ by rounding, and tells whether there
+/// were any.
+bool MeshEdges::JoinBorders(const TriangleMesh& mesh, std::vector<std::uint32_t>& places) const
+{
+  const std::vector<End> ends = this->OpenEnds(mesh);
   const SortedEnds sorted(ends);
   PerThread<std::vector<std::array<std::uint32_t, 2>>> onePlace(MostThreadIndices());
   ForEach(ends.size() / 2,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/refinement/SortedEnds.h"
+
 #include <glm/vec3.hpp>
 
 #include <cstddef>
@@ -72,6 +74,9 @@ public:
   {
     return this->FirstSides[edge + 1] - this->FirstSides[edge];
   }
+
+  /// Both ends of each edge that only one facet has, after each other.
+  std::vector<End> OpenEnds(const TriangleMesh& mesh) const;
 
 private:
   void Build(const TriangleMesh& mesh, const std::vector<std::uint32_t>& places);

@@ -53,15 +53,7 @@ void AddIfDivided(std::uint32_t edge, const glm::dvec3& from, const glm::dvec3& 
 
 std::vector<std::uint32_t> EdgesWithPointsOnThem(const TriangleMesh& mesh, const MeshEdges& edges)
 {
-  std::vector<End> ends;
-  for (std::uint32_t edge = 0; edge < edges.Number(); ++edge)
-  {
-    if (edges.NumberOfFacets(edge) == 1)
-    {
-      ends.push_back({ mesh.points[edges.FirstPair(edge).from], edge });
-      ends.push_back({ mesh.points[edges.FirstPair(edge).to], edge });
-    }
-  }
+  const std::vector<End> ends = edges.OpenEnds(mesh);
   const SortedEnds sorted(ends);
   PerThread<std::vector<std::uint32_t>> onThreads(MostThreadIndices());
   ForEach(ends.size() / 2,

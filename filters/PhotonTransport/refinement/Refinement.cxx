@@ -19,22 +19,8 @@ bool Before(const glm::vec3& p, const glm::vec3& q)
   return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
 }
 
-/// Calls f(i) for i in [0, count) on many threads. A facet may have a thousand parts.
-template <class Function>
-void ForEachFacet(std::size_t count, const Function& f)
-{
-  constexpr std::uint64_t WorthAThread = 32;
-  ParallelFor(
-    0, count,
-    [&](std::uint64_t begin, std::uint64_t end)
-    {
-      for (std::uint64_t i = begin; i < end; ++i)
-      {
-        f(i);
-      }
-    },
-    WorthAThread);
-}
+/// So many facets are worth a thread: a facet may have a thousand parts.
+constexpr std::uint64_t FewFacets = 32;
 
 /// Turns numbers into sums of those before them, plus `first`; the last of them is all.
 void SumUp(std::vector<std::uint64_t>& numbers, std::uint64_t first)
@@ -75,15 +61,44 @@ struct Refinement::FacetParts
   }
 };
 
-Refinement::Refinement(const TriangleMesh& mesh, const RefinementLimits& limits)
+Refinement::Refinement(const TriangleMesh& mesh)
   : Mesh(mesh)
-  , Limits(limits)
   , Edges(this->Mesh)
   , Curves(this->Mesh, this->Edges)
+  , FirstPart{ mesh.facets.size() }
 {
-  this->Curves.Divide(this->Limits);
+}
+
+Refinement::Refinement(const TriangleMesh& mesh, const RefinementLimits& limits)
+  : Refinement(mesh)
+{
+  this->Divide(limits);
+}
+
+void Refinement::Divide(const RefinementLimits& limits)
+{
+  this->Limits = limits;
+  this->Curves.Restore();
+  this->Curves.Divide(limits);
   this->StraightenTurned();
   this->Count();
+}
+
+std::uint64_t Refinement::FacetsAtMost(const RefinementLimits& limits)
+{
+  this->Curves.Restore();
+  this->Curves.Divide(limits);
+  std::uint64_t sum = 0;
+  for (std::size_t f = 0; f < this->Mesh.facets.size(); ++f)
+  {
+    int halvings = 0;
+    for (std::size_t side = 0; side < 3; ++side)
+    {
+      halvings = std::max(halvings, this->Curves[this->Edges.EdgeOf(f, side)].halvings);
+    }
+    sum += std::uint64_t{ 1 } << (2 * halvings);
+  }
+  return sum;
 }
 
 const RefinementLimits& Refinement::Fit(std::uint64_t most)
@@ -115,8 +130,9 @@ void Refinement::StraightenTurned()
   while (!facets.empty())
   {
     std::vector<std::uint8_t> turns(facets.size());
-    ForEachFacet(
-      facets.size(), [&](std::size_t i) { turns[i] = this->PatchOf(facets[i]).Turns(); });
+    ForEach(
+      facets.size(), [&](std::size_t i) { turns[i] = this->PatchOf(facets[i]).Turns(); },
+      FewFacets);
     std::vector<std::uint32_t> beside;
     for (std::size_t i = 0; i < facets.size(); ++i)
     {
@@ -139,7 +155,8 @@ void Refinement::Count()
   const std::size_t facets = this->Mesh.facets.size();
   this->FirstPart.assign(facets, 1);
   this->FirstInside.assign(facets, 0);
-  ForEachFacet(facets,
+  ForEach(
+    facets,
     [&](std::size_t f)
     {
       const CurvedPatch patch = this->PatchOf(f);
@@ -149,7 +166,8 @@ void Refinement::Count()
         this->FirstPart[f] = parts.triangles.size();
         this->FirstInside[f] = parts.inside.size();
       }
-    });
+    },
+    FewFacets);
   this->FirstOnPair.clear();
   for (const PointPair& pair : this->Edges.Pairs())
   {
@@ -195,7 +213,8 @@ RefinedMesh Refinement::Make() const
   fine.facets.resize(this->NumberOfFacets());
   fine.origins.resize(this->NumberOfFacets());
   ForEach(this->Edges.Pairs().size(), [&](std::size_t pair) { this->AddPointsOn(pair, fine); });
-  ForEachFacet(this->Mesh.facets.size(), [&](std::size_t facet) { this->AddParts(facet, fine); });
+  ForEach(
+    this->Mesh.facets.size(), [&](std::size_t facet) { this->AddParts(facet, fine); }, FewFacets);
   return fine;
 }
 

@@ -29,10 +29,19 @@ struct RefinedMesh
 class Refinement
 {
 public:
-  /// Finds the curves, and counts. @param mesh Must outlive it.
+  /// Finds the curves, which is most of the work where little is divided. Divide comes next.
+  /// @param mesh Must outlive it.
+  explicit Refinement(const TriangleMesh& mesh);
+  /// And divides.
   Refinement(const TriangleMesh& mesh, const RefinementLimits& limits);
   Refinement(const Refinement&) = delete;
   Refinement& operator=(const Refinement&) = delete;
+
+  /// Divides facets by limits, in place of those before.
+  void Divide(const RefinementLimits& limits);
+  /// How many facets there were if each was divided as finely everywhere as at its finest edge.
+  /// Takes little time, however narrow the limits are. Divide comes next.
+  std::uint64_t FacetsAtMost(const RefinementLimits& limits);
 
   /// Facets and points that Make will make.
   std::uint64_t NumberOfFacets() const { return this->FirstPart.back(); }

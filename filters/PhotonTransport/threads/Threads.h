@@ -44,9 +44,9 @@ void ParallelFor(std::uint64_t first, std::uint64_t last,
 /// So many calls of something simple are not worth a thread.
 constexpr std::uint64_t SimpleCalls = 1024;
 
-/// Calls body(i), something simple, for i in [0, count), on many threads as ParallelFor does.
+/// Calls body(i) for i in [0, count), on many threads as ParallelFor does. @param grain See there.
 template <typename Body>
-void ForEach(std::size_t count, const Body& body)
+void ForEach(std::size_t count, const Body& body, std::uint64_t grain = SimpleCalls)
 {
   ParallelFor(
     0, count,
@@ -57,7 +57,7 @@ void ForEach(std::size_t count, const Body& body)
         body(i);
       }
     },
-    SimpleCalls);
+    grain);
 }
 
 /// The place of the calling thread among those of a loop, from 0. To be called in a loop's body.
