@@ -28,6 +28,6 @@ int main(int argc, char* argv[])
   PhotonTracer tracer(scene, lamp, settings);
   IlluminationSums sums = tracer.EmptySums();
   tracer.Trace(0, 0, std::strtoull(argv[2], nullptr, 10), sums);
-  std::printf("%llu segments\n", static_cast<unsigned long long>(sums.balance.segments));
+  std::printf("%llu segments\n", static_cast<unsigned long long>(sums.Balance().segments));
   return 0;
 }

@@ -180,7 +180,7 @@ void Count(const EffectScene& scene, std::uint64_t blocks, bool general)
   Prepared own(scene, 1, general);
   IlluminationSums sums = own.tracer->EmptySums();
   own.tracer->Trace(0, 0, blocks, sums);
-  std::printf("%llu segments\n", static_cast<unsigned long long>(sums.balance.segments));
+  std::printf("%llu segments\n", static_cast<unsigned long long>(sums.Balance().segments));
 }
 
 void MeasureAll(const std::vector<EffectScene>& scenes, int argc, char* argv[])

@@ -29,7 +29,7 @@ inline double TraceRate(PhotonTransport::PhotonTracer& tracer, std::uint64_t blo
 {
   PhotonTransport::IlluminationSums sums = tracer.EmptySums();
   const double seconds = Seconds([&] { tracer.Trace(0, 0, blocks, sums); });
-  return static_cast<double>(sums.balance.segments) / seconds * 1e-6;
+  return static_cast<double>(sums.Balance().segments) / seconds * 1e-6;
 }
 
 inline double Quantile(std::vector<double> values, double share)
@@ -121,6 +121,7 @@ struct KeepHit
     this->segment.front = front;
     this->segment.direct = origin.direct;
   }
+  void Arrived(const PhotonTransport::Hit&, bool, const PhotonTransport::PhotonOrigin&) const {}
 };
 
 /// One photon's segments, from emission to end.
@@ -130,7 +131,7 @@ void RecordPhoton(const PhotonTransport::WalkSettings& walk,
 {
   const PhotonTransport::Emission emission = walk.source.Emit(sample);
   PhotonTransport::Flight flight{ sample.Scatterings(), 0,
-    { emission.lamp, static_cast<std::uint16_t>(emission.channel), true } };
+    { emission.source, static_cast<std::uint16_t>(emission.channel), true } };
   PhotonTransport::Ray next = emission.ray;
   PhotonTransport::PhotonBalance balance;
   std::vector<PhotonTransport::Arrivals> arrivals(walk.source.Lamps());
@@ -155,13 +156,10 @@ inline std::vector<Segment> RecordSegments(const PhotonTransport::Scene& scene,
     PhotonTransport::AnalyseEffects(scene, lighting, settings);
   const PhotonTransport::Emitter emitter(lighting, scene, effects.colour);
   const PhotonTransport::SequenceKey key{ settings.seed, 0, settings.sampling };
-  PhotonTransport::FacetRoulettes materials{ {}, scene.MaterialOfFacet() };
-  for (const PhotonTransport::Material& material : scene.Materials())
-  {
-    materials.roulettes.push_back(PhotonTransport::MakeRoulette(material, effects.colouredFacets));
-  }
+  const PhotonTransport::FacetRoulettes materials = PhotonTransport::MakeRoulettes(
+    scene.Materials(), scene.MaterialOfFacet(), effects.colouredFacets);
   const PhotonTransport::WalkSettings walk{ scene, materials, emitter, key,
-    settings.maximumPathLength, effects.simulated };
+    settings.maximumPathLength, effects.simulated, nullptr };
   const auto record = effects.present == SetOf(PhotonTransport::Scattering::DiffuseReflection) &&
       !effects.colouredFacets
     ? RecordPhoton<PhotonTransport::Walk::Diffuse>

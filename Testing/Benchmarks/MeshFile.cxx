@@ -1,8 +1,84 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFile.h"
 
+#include <array>
+#include <fstream>
 #include <map>
 #include <stdexcept>
+
+namespace
+{
+
+/// Gives facets their materials by reflectance.
+class MattMaterials
+{
+public:
+  explicit MattMaterials(PhotonTransport::Surface& surface)
+    : Owner(surface)
+  {
+  }
+  void AddFacet(float reflectance)
+  {
+    const auto [known, isNew] =
+      this->Known.emplace(reflectance, static_cast<std::uint32_t>(this->Known.size()));
+    if (isNew)
+    {
+      this->Owner.materials.emplace_back().diffuseReflectance =
+        PhotonTransport::Colour(reflectance);
+    }
+    this->Owner.materialOfFacet.push_back(known->second);
+  }
+
+private:
+  PhotonTransport::Surface& Owner;
+  std::map<float, std::uint32_t> Known;
+};
+
+template <typename T>
+std::vector<T> ReadValues(std::ifstream& file, std::uint64_t count)
+{
+  std::vector<T> values(count);
+  file.read(
+    reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(sizeof(T) * count));
+  return values;
+}
+
+} // namespace
+
+PhotonTransport::Surface ReadPlainMesh(const std::string& fileName)
+{
+  std::ifstream file(fileName, std::ios::binary | std::ios::ate);
+  const auto size = file ? static_cast<std::uint64_t>(file.tellg()) : 0;
+  file.seekg(0);
+  std::array<std::uint64_t, 2> counts{};
+  file.read(reinterpret_cast<char*>(counts.data()), sizeof(counts));
+  const auto [points, facets] = counts;
+  if (!file || points > size || facets > size || size != 16 + 24 * points + 20 * facets)
+  {
+    throw std::runtime_error(fileName + ": no mesh; make it by cabin_mesh.py");
+  }
+  PhotonTransport::Surface surface;
+  for (const glm::vec3& p : ReadValues<glm::vec3>(file, points))
+  {
+    surface.points.emplace_back(p);
+  }
+  for (const glm::vec3& n : ReadValues<glm::vec3>(file, points))
+  {
+    surface.normals.emplace_back(n);
+  }
+  surface.facets = ReadValues<glm::uvec3>(file, facets);
+  MattMaterials materials(surface);
+  for (const float reflectance : ReadValues<float>(file, facets))
+  {
+    materials.AddFacet(reflectance);
+  }
+  for (const float exitance : ReadValues<float>(file, facets))
+  {
+    surface.exitance.emplace_back(exitance);
+  }
+  surface.rounding = 0x1p-24;
+  return surface;
+}
 
 #ifdef ILLUMINATION_BENCHMARKS_READ_VTP
 
@@ -42,20 +118,13 @@ PhotonTransport::Surface ReadMesh(const std::string& fileName)
   }
   vtkDataArray* reflectance = mesh->GetCellData()->GetArray("Reflectance");
   vtkDataArray* exitance = mesh->GetCellData()->GetArray("Exitance");
-  std::map<float, std::uint32_t> materials;
+  MattMaterials materials(surface);
   vtkNew<vtkIdList> corners;
   for (vtkIdType f = 0; f < mesh->GetNumberOfPolys(); ++f)
   {
     mesh->GetPolys()->GetCellAtId(f, corners);
     surface.facets.emplace_back(corners->GetId(0), corners->GetId(1), corners->GetId(2));
-    const float share = reflectance ? static_cast<float>(reflectance->GetComponent(f, 0)) : 0.5f;
-    const auto [known, isNew] =
-      materials.emplace(share, static_cast<std::uint32_t>(materials.size()));
-    if (isNew)
-    {
-      surface.materials.emplace_back().diffuseReflectance = PhotonTransport::Colour(share);
-    }
-    surface.materialOfFacet.push_back(known->second);
+    materials.AddFacet(reflectance ? static_cast<float>(reflectance->GetComponent(f, 0)) : 0.5f);
     if (exitance)
     {
       surface.exitance.emplace_back(exitance->GetComponent(f, 0));

@@ -105,8 +105,9 @@ void RegistrationOf(benchmark::State& state)
 {
   const Stage& stage = StageOf(state);
   IlluminationSums sums(stage.scene.Vertices().size(), false);
+  const float startWeight = 1.0f;
   const Registrar<RegistrationKind, false> registrar(
-    stage.scene, TraceSettings().weightBound, sums);
+    stage.scene, TraceSettings().weightBound, sums, &startWeight);
   std::size_t first = 0;
   for (auto _ : state)
   {
@@ -182,18 +183,18 @@ void Block(benchmark::State& state)
   const TraceSettings usual;
   const FacetRoulettes materials; // diffuse reflection only
   const WalkSettings walk{ stage.scene, materials, emitter, { usual.seed, 0, usual.sampling },
-    usual.maximumPathLength, usual.scatterings };
+    usual.maximumPathLength, usual.scatterings, nullptr };
   IlluminationSums sums(stage.scene.Vertices().size(), false);
   const Registrar<Registration::VertexNormalised, false> registrar(
-    stage.scene, usual.weightBound, sums);
+    stage.scene, usual.weightBound, sums, emitter.StartWeights().data());
   std::uint64_t first = 0;
   for (auto _ : state)
   {
     WalkPhotons<Walk::Diffuse>(
-      walk, first, first + PhotonBlock, registrar, sums.balance, sums.arrivals.data());
+      walk, first, first + PhotonBlock, registrar, sums.balances.data(), sums.arrivals.data());
     first += PhotonBlock;
   }
-  state.SetItemsProcessed(static_cast<std::int64_t>(sums.balance.segments));
+  state.SetItemsProcessed(static_cast<std::int64_t>(sums.Balance().segments));
 }
 BENCHMARK(Block)->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMicrosecond);
 

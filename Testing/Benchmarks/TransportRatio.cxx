@@ -46,7 +46,7 @@ void Compare(const std::string& name, const Surface& surface, const Lamp& lamp, 
     IlluminationSums sums = tracer.EmptySums();
     const double all = Seconds([&] { tracer.Trace(0, 0, Blocks, sums); });
     const double replay = Seconds([&] { bare.Replay(); });
-    traced.push_back(static_cast<double>(sums.balance.segments) / all * 1e-6);
+    traced.push_back(static_cast<double>(sums.Balance().segments) / all * 1e-6);
     replayed.push_back(static_cast<double>(rays.size()) / replay * 1e-6);
     ratios.push_back(traced.back() / replayed.back());
   }

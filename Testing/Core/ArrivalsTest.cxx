@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <random>
 #include <vector>
 
 using namespace PhotonTransport;
@@ -168,4 +169,47 @@ TEST(Run, TargetThatNothingCanMeetEndsTheRun)
   EXPECT_LE(run.Balance().emitted, 2 * MostPhotonsInTheDark);
   EXPECT_TRUE(run.CanGoOn());
   EXPECT_EQ(run.Advance({ 2 * MostPhotonsInTheDark }), StopReason::PhotonLimit); // without a target
+}
+
+// A share that just reaches the threshold exceeds it by three standard errors by chance alone in 1
+// of 740 draws if photons are many, and never where they are too few to tell. One that is well
+// above is found wherever photons are enough.
+TEST(ShareOfLight, ExceedsAThresholdByMoreThanChance)
+{
+  std::mt19937 random(5);
+  constexpr int Draws = 20'000;
+  for (const double threshold : { 0.05, 0.1, 0.5, 0.99 })
+  {
+    for (const int photons : { 1, 3, 10, 100, 1000, 100'000 })
+    {
+      const auto frequency = [&](double share, double heavy)
+      {
+        std::binomial_distribution<int> light(photons, share), dark(photons / 10 + 1, share);
+        int sure = 0;
+        for (int i = 0; i < Draws; ++i)
+        {
+          const double a = light(random), b = dark(random), others = photons / 10 + 1;
+          sure += ShareOfLight{ a + heavy * b, photons + heavy * others, a + heavy * heavy * b,
+            photons + heavy * heavy * others }
+                    .SurelyExceeds(threshold);
+        }
+        return sure / double{ Draws };
+      };
+      for (const double heavy : { 0.0, 1.0, 30.0 })
+      {
+        // A skewed binomial distribution exceeds three standard errors more often than a normal
+        // one.
+        EXPECT_LT(frequency(threshold, heavy), 0.012)
+          << threshold << ' ' << photons << ' ' << heavy;
+      }
+      const double well = threshold + 0.5 * (1.0 - threshold);
+      if (photons * (1.0 - threshold) >= 100)
+      {
+        EXPECT_GT(frequency(well, 1.0), 0.9) << threshold << ' ' << photons;
+      }
+    }
+  }
+  EXPECT_FALSE(ShareOfLight().SurelyExceeds(0.0));
+  EXPECT_FALSE((ShareOfLight{ 8.0, 8.0, 8.0, 8.0 }.SurelyExceeds(0.5)));
+  EXPECT_TRUE((ShareOfLight{ 10.0, 10.0, 10.0, 10.0 }.SurelyExceeds(0.5)));
 }

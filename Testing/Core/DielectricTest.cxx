@@ -2,6 +2,7 @@
 // Bodies of glass: light is bent, and none is made or lost.
 #include "PhotonTransport/transport/IlluminationRun.h"
 
+#include "ClearMaterial.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
@@ -15,15 +16,6 @@ using Shapes::Facing;
 
 namespace
 {
-
-Material Clear(float transmittance, float index, bool solid)
-{
-  Material material;
-  material.clearTransmittance = Colour(transmittance);
-  material.refractiveIndex = index;
-  material.solid = solid;
-  return material;
-}
 
 Material Grey(float reflectance)
 {
@@ -78,7 +70,7 @@ TEST_P(ClearBody, CannotBeSeenInAFurnace)
   const Surface walls =
     Shapes::WithExitance(Shapes::Box(glm::dvec3(-1.5), glm::dvec3(1.5), 2, Facing::Inward), 100.0f);
   const Surface ball = Shapes::Icosphere(2, Facing::Outward);
-  const Scene scene(Together(walls, Grey(0.5f), ball, Clear(1.0f, 1.52f, GetParam())));
+  const Scene scene(Together(walls, Grey(0.5f), ball, Clear(Colour(1.0f), 1.52f, GetParam())));
   const std::size_t points = scene.Vertices().size();
   double ballArea = 0.0;
   for (std::size_t v = walls.points.size(); v < points; ++v)
@@ -121,7 +113,8 @@ TEST_P(ClearBody, AbsorbsWhereItIsMeantTo)
   const Lamp lamp = PointLamp{ { 1.2, 1.1, 1.0 }, 1000.0 };
   const auto absorbed = [&](float transmittance)
   {
-    const Scene scene(Together(walls, Grey(1.0f), ball, Clear(transmittance, 1.3f, GetParam())));
+    const Scene scene(
+      Together(walls, Grey(1.0f), ball, Clear(Colour(transmittance), 1.3f, GetParam())));
     TraceSettings settings = FlatSettings(1);
     settings.maximumPathLength = 1000;
     IlluminationRun traced(scene, lamp, settings);
@@ -143,7 +136,7 @@ TEST(Dielectric, SlabTransmitsAsThePaneOfTheSameGlass)
   const double r = std::pow(0.52 / 2.52, 2);
   const auto expectTransmitted = [&](const Surface& glass, bool solid, float internal, double share)
   {
-    const Scene scene(Together(floor, Grey(0.0f), glass, Clear(internal, 1.52f, solid)));
+    const Scene scene(Together(floor, Grey(0.0f), glass, Clear(Colour(internal), 1.52f, solid)));
     IlluminationRun traced(scene, ParallelLight{ { 0.0, 0.0, -1.0 }, 1000.0 }, FlatSettings(1));
     traced.Advance({ 400'000 });
     const auto hits = static_cast<double>(HitsOf(traced.Front(), 0, floor.points.size()));

@@ -109,7 +109,7 @@ TEST(Filtration, KnowsTheNoiseOfPhotons)
   const auto slope = [](const glm::dvec3& place) { return 0.2 + 0.6 * place.x; };
   const PhotonMap traced(surface, slope, 40'000, 1);
   // A photon brings one lumen, exactly so by the count of hits.
-  EXPECT_NEAR(LumensPerPhoton(graph, traced.map.values, traced.hits), 1.0, 1e-12);
+  EXPECT_NEAR(LumensPerPhoton(graph, traced.map.values, traced.hits).front(), 1.0, 1e-12);
   GroupColumns columns(traced.hits.size());
   for (std::size_t v = 0; v < columns.size(); ++v)
   {
@@ -119,8 +119,9 @@ TEST(Filtration, KnowsTheNoiseOfPhotons)
     }
   }
   // Of 1681 variances with three degrees of freedom, a third independent: 5 standard errors.
-  EXPECT_NEAR(LumensPerPhoton(graph, columns), 1.0, 5.0 * std::sqrt(2.0 / 3.0 / (1681.0 / 3.0)));
-  const PhotonNoise noise(graph, 1.0);
+  EXPECT_NEAR(
+    LumensPerPhoton(graph, columns).front(), 1.0, 5.0 * std::sqrt(2.0 / 3.0 / (1681.0 / 3.0)));
+  const PhotonNoise noise(graph, { 1.0 });
   EXPECT_FLOAT_EQ(static_cast<float>(noise.OnePhoton(840)), 1600.0f) << "a vertex amid squares";
 }
 

@@ -47,7 +47,7 @@ TEST(ManyLamps, ShareThePhotonsByFlux)
     PhotonSample sample({ 3, 0, sampling }, 0);
     for (int i = 0; i < Many; ++i, sample.Advance())
     {
-      ++counts[emitter.Emit(sample).lamp];
+      ++counts[emitter.Emit(sample).source];
     }
     for (int lamp = 0; lamp < 7; ++lamp)
     {

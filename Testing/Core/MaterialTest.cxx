@@ -166,7 +166,7 @@ TEST(Fresnel, IsSoundAtTheEdges)
         EXPECT_LE(r.Mean(), 1.0f);
         for (const float internal : { 0.0f, 1e-30f, 0.5f, 1.0f })
         {
-          const ReflectedAndTransmitted pane = ThinPane(cosIn, n, internal);
+          const ReflectedAndTransmitted pane = ThinPane({ cosIn, n }, internal);
           EXPECT_GE(pane.reflected, 0.0f);
           EXPECT_GE(pane.transmitted, 0.0f);
           EXPECT_LE(pane.reflected + pane.transmitted, 1.0 + 4.0 * Epsilon);
@@ -199,7 +199,7 @@ TEST(ThinPane, OfClearGlassLosesNothing)
       const double transmitted = 0.5 *
         ((1.0 - r.perpendicular) / (1.0 + r.perpendicular) +
           (1.0 - r.parallel) / (1.0 + r.parallel));
-      const ReflectedAndTransmitted pane = ThinPane(cosIn, n, 1.0f);
+      const ReflectedAndTransmitted pane = ThinPane({ cosIn, n }, 1.0f);
       EXPECT_NEAR(pane.transmitted, transmitted, PaneError(cosIn, n)) << cosIn << ' ' << n;
       EXPECT_NEAR(pane.reflected, 1.0 - transmitted, PaneError(cosIn, n)) << cosIn << ' ' << n;
     }
@@ -229,7 +229,7 @@ TEST(ThinPane, LosesWhatItsBodyTakesFromEachWayThroughIt)
             inside *= r;
           }
         }
-        const ReflectedAndTransmitted pane = ThinPane(cosIn, n, internal);
+        const ReflectedAndTransmitted pane = ThinPane({ cosIn, n }, internal);
         EXPECT_NEAR(pane.reflected, reflected, PaneError(cosIn, n)) << cosIn << ' ' << n;
         EXPECT_NEAR(pane.transmitted, transmitted, PaneError(cosIn, n)) << cosIn << ' ' << n;
       }
@@ -241,10 +241,10 @@ TEST(ThinPane, OfIndexOneOnlyAbsorbs)
 {
   for (const float internal : { 0.0f, 0.3f, 0.9f, 1.0f })
   {
-    const ReflectedAndTransmitted straight = ThinPane(1.0f, 1.0f, internal);
+    const ReflectedAndTransmitted straight = ThinPane({ 1.0f, 1.0f }, internal);
     EXPECT_EQ(straight.reflected, 0.0f);
     EXPECT_EQ(straight.transmitted, internal);
-    const ReflectedAndTransmitted slanted = ThinPane(0.5f, 1.0f, internal); // twice the way
+    const ReflectedAndTransmitted slanted = ThinPane({ 0.5f, 1.0f }, internal); // twice the way
     EXPECT_NEAR(slanted.reflected, 0.0, 4.0 * Epsilon);
     EXPECT_NEAR(slanted.transmitted, internal * internal, 16.0 * Epsilon);
   }

@@ -38,7 +38,7 @@ Effects Analysed(const Surface& surface, const EffectSettings& settings = {},
 
 void ExpectReason(const Effects& effects, const std::string& reason)
 {
-  const std::vector<std::string> lines = Illumination::EffectLines(effects, {});
+  const std::vector<std::string> lines = Illumination::EffectLines(effects, {}, 0);
   EXPECT_EQ(std::count(lines.begin(), lines.end(), reason), 1) << reason;
 }
 
@@ -50,8 +50,8 @@ TEST(Reasons, NothingIsOnWhereNothingCallsForIt)
   EXPECT_EQ(effects.present, 0u);
   EXPECT_EQ(effects.registration, Registration::Flat);
   EXPECT_FALSE(effects.colour || effects.colouredFacets);
-  const std::vector<std::string> lines = Illumination::EffectLines(effects, {});
-  EXPECT_EQ(lines.size(), 2 + Scatterings + 1 + 4 + 1);
+  const std::vector<std::string> lines = Illumination::EffectLines(effects, {}, 0);
+  EXPECT_EQ(lines.size(), 3 + Scatterings + 1 + 4 + 1);
   for (const std::string& reason : lines)
   {
     EXPECT_NE(reason.find(": off, "), std::string::npos) << reason;
@@ -98,7 +98,7 @@ TEST(Reasons, EachWayOfScatteringIsFoundAndCanBeSwitchedOff)
         "; the photons it would have carried on are counted as cut off");
     std::array<double, Scatterings> lumens{};
     lumens[s] = 12.5;
-    const std::string line = Illumination::EffectLines(off, lumens)[2 + s];
+    const std::string line = Illumination::EffectLines(off, lumens, 0)[3 + s];
     EXPECT_NE(line.find("are counted as cut off, 12.5 lm"), std::string::npos) << line;
   }
 }
@@ -178,7 +178,7 @@ TEST(Reasons, LampsAndBackSide)
   settings.registerBackSide = true;
   const Effects effects = Analysed(Cube({}), settings, lighting);
   ExpectReason(effects, "back side: on, its registration was asked for");
-  const std::vector<std::string> lines = Illumination::EffectLines(effects, {});
+  const std::vector<std::string> lines = Illumination::EffectLines(effects, {}, 0);
   const auto starts = [&](const std::string& words)
   {
     return std::count_if(lines.begin(), lines.end(),

@@ -34,6 +34,11 @@ using Place = std::tuple<double, double, double>;
 std::size_t OpenEdges(const std::vector<glm::dvec3>& points, const std::vector<glm::uvec3>& facets);
 std::size_t OpenEdges(const RefinedMesh& mesh);
 
+/// In how many places facets of a refined mesh meet otherwise than the facets they are parts of:
+/// along an edge as many run each way as along the edge it is a part of, and along one inside a
+/// facet one each way.
+std::size_t Gaps(const Surface& surface, const RefinedMesh& mesh);
+
 double Volume(const RefinedMesh& mesh);
 glm::dvec3 AreaVector(const std::vector<glm::dvec3>& points, const glm::uvec3& facet);
 /// How many parts face away from the facets that they are parts of.

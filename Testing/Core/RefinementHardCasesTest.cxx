@@ -91,60 +91,6 @@ Surface WithTurnedNormals(Surface surface, double degrees)
   return surface;
 }
 
-/// In how many places facets of a refined mesh meet otherwise than the facets they are parts of:
-/// along an edge as many run each way as along the edge it is a part of, and along one inside a
-/// facet one each way.
-std::size_t Gaps(const Surface& surface, const RefinedMesh& mesh)
-{
-  const auto key = [](const glm::dvec3& p, const glm::dvec3& q)
-  {
-    const Place a{ p.x, p.y, p.z }, b{ q.x, q.y, q.z };
-    return std::pair(std::min(a, b), std::max(a, b));
-  };
-  const auto way = [](const glm::dvec3& p, const glm::dvec3& q) {
-    return Place{ p.x, p.y, p.z } < Place{ q.x, q.y, q.z } ? 1 : -1;
-  };
-  std::map<std::pair<Place, Place>, int> coarse, fine;
-  std::map<std::pair<Place, Place>, std::pair<Place, Place>> partOf;
-  for (const glm::uvec3& f : surface.facets)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      const glm::dvec3 &p = surface.points[f[i]], &q = surface.points[f[(i + 1) % 3]];
-      coarse[key(p, q)] += way(p, q);
-    }
-  }
-  for (std::size_t f = 0; f < mesh.facets.size(); ++f)
-  {
-    const glm::uvec3& whole = surface.facets[mesh.origins[f].facet];
-    for (int i = 0; i < 3; ++i)
-    {
-      const int next = (i + 1) % 3;
-      const glm::dvec3 &p = mesh.points[mesh.facets[f][i]], &q = mesh.points[mesh.facets[f][next]];
-      const glm::vec3& b = mesh.origins[f].corners[static_cast<std::size_t>(i)];
-      const glm::vec3& c = mesh.origins[f].corners[static_cast<std::size_t>(next)];
-      int direction = way(p, q);
-      for (int side = 0; side < 3; ++side)
-      {
-        if (b[side] == 0.0f && c[side] == 0.0f)
-        {
-          const glm::dvec3& from = surface.points[whole[(side + 1) % 3]];
-          const glm::dvec3& to = surface.points[whole[(side + 2) % 3]];
-          partOf[key(p, q)] = key(from, to);
-          direction = way(from, to);
-        }
-      }
-      fine[key(p, q)] += direction;
-    }
-  }
-  return static_cast<std::size_t>(std::count_if(fine.begin(), fine.end(),
-    [&](const auto& edge)
-    {
-      const auto whole = partOf.find(edge.first);
-      return edge.second != (whole == partOf.end() ? 0 : coarse[whole->second]);
-    }));
-}
-
 } // namespace
 
 TEST(CurvedRefinement, HardCasesStayAsClosedAsTheyWere)

@@ -224,9 +224,10 @@ TEST(Registrar, CutsAtTheBoundAndReportsTheRest)
   ASSERT_GT(m, 100.0f);
 
   IlluminationSums sums(scene.Vertices().size(), false);
-  const Registrar<Registration::FacetRatio, false> registrar(scene, 16.0f, sums);
+  const float startWeight = 1.0f;
+  const Registrar<Registration::FacetRatio, false> registrar(scene, 16.0f, sums, &startWeight);
   registrar(ray, { f, barycentric }, true, PhotonOrigin());
   EXPECT_NEAR(FromFixedPoint(sums.front[facet.vertices.x].direct), 16.0, 1e-4);
-  EXPECT_NEAR(FromCoarseFixedPoint(sums.cutByWeightBound), m - 16.0, 1e-3 * m);
+  EXPECT_NEAR(FromCoarseFixedPoint(sums.cutByWeightBound.front()), m - 16.0, 1e-3 * m);
   EXPECT_EQ(sums.front[facet.vertices.x].hits, 1u);
 }

@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 using namespace PhotonTransport;
 
@@ -107,6 +109,39 @@ TEST(Run, DarknessIsNotAccuracy)
   EXPECT_EQ(run.Advance({ 20'000, 0.1 }), StopReason::PhotonLimit);
   EXPECT_EQ(run.Rounds().back().relativeError, 1.0);
   EXPECT_EQ(RegisteredFlux(scene, run.Front()), 0.0);
+}
+
+// A region of everything is the whole; another one is measured on the map as it is, and forgets
+// what earlier rows were measured on.
+TEST(Run, ARegionHasErrorsOfItsOwn)
+{
+  const Scene scene = Room(0.6f);
+  IlluminationRun run(scene, RoomLamp, TraceSettings());
+  run.Advance({ 100'000 });
+  ASSERT_GE(run.Rounds().size(), 2u);
+  const Accuracy whole = run.Rounds().back();
+  EXPECT_FALSE(whole.region);
+  std::vector<double> shares(scene.VertexAreas().size(), 1.0);
+  run.SetRegion(shares);
+  EXPECT_EQ(run.Rounds().back().region->relativeError, whole.relativeError);
+  EXPECT_EQ(run.Rounds().back().region->medianRelativeError, whole.medianRelativeError);
+  EXPECT_FALSE(run.Rounds().front().region);
+
+  std::fill(shares.begin() + 1, shares.end(), 0.0); // one vertex
+  run.SetRegion(shares);
+  const IlluminationMap map = run.Front();
+  const double relative = map.standardError[0] / (map.direct[0] + map.indirect[0]);
+  const MapErrors ofVertex = *run.Rounds().back().region;
+  EXPECT_DOUBLE_EQ(ofVertex.relativeError, relative);
+  EXPECT_EQ(ofVertex.medianRelativeError, relative);
+  EXPECT_EQ(run.Rounds().back().relativeError, whole.relativeError);
+  EXPECT_EQ(run.Rounds().back().photons, whole.photons);
+
+  // A target that the whole has met already is not yet met there.
+  EXPECT_GT(relative, whole.relativeError);
+  EXPECT_EQ(run.Advance({ 100'000'000, whole.relativeError }), StopReason::RelativeError);
+  EXPECT_LE(run.Rounds().back().region->relativeError, whole.relativeError);
+  EXPECT_GT(run.Rounds().back().photons, whole.photons);
 }
 
 TEST(Run, RefusesRulesThatMakeNoSense)

@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <ctime>
 #include <random>
 #include <vector>
 
@@ -65,11 +65,11 @@ TEST(SortedEnds, FacetsThatAreAllApartTakeLittleTime)
     }
     loose.facets.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
   }
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock(); // of the processor, which others may use as well
   RefinementLimits limits;
   limits.turn = 0.1;
   const Refinement refinement({ loose.points, loose.normals, loose.facets }, limits);
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  const auto seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   EXPECT_TRUE(refinement.IsTrivial());
-  EXPECT_LT(time.count(), 4.0);
+  EXPECT_LT(seconds, 8.0);
 }

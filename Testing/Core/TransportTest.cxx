@@ -38,8 +38,8 @@ bool SameSums(const std::vector<VertexSums>& a, const std::vector<VertexSums>& b
 bool Same(const IlluminationSums& a, const IlluminationSums& b)
 {
   return SameSums(a.front, b.front) && SameSums(a.back, b.back) &&
-    a.cutByWeightBound == b.cutByWeightBound && a.balance.emitted == b.balance.emitted &&
-    a.balance.absorbed == b.balance.absorbed && a.balance.segments == b.balance.segments;
+    a.cutByWeightBound == b.cutByWeightBound && a.Balance().emitted == b.Balance().emitted &&
+    a.Balance().absorbed == b.Balance().absorbed && a.Balance().segments == b.Balance().segments;
 }
 
 void ExpectBalanced(const PhotonBalance& balance)
@@ -100,8 +100,8 @@ TEST_P(EveryRegistration, ThreadsDoNotChangeABit)
   PhotonTracer alone(scene, RoomLamp, settings);
   IlluminationSums expected = alone.EmptySums();
   alone.Trace(0, 0, 200, expected);
-  ExpectBalanced(expected.balance);
-  EXPECT_GT(expected.balance.segments, 100000u);
+  ExpectBalanced(expected.Balance());
+  EXPECT_GT(expected.Balance().segments, 100000u);
   for (const int threads : { 2, 3, 8 })
   {
     settings.threads = threads;

@@ -6,6 +6,7 @@
 #include "vtkIlluminationMap.h"
 
 #include "vtkNew.h"
+#include "vtkPlaneSource.h"
 #include "vtkSphereSource.h"
 #include "vtkTable.h"
 
@@ -103,4 +104,37 @@ TEST(IlluminationMap, GoesOnStartsAnewAndStopsAtAnAccuracy)
   illuminate->SetTimeLimit(FieldValue(illuminate->GetOutput(), "Seconds") + 0.05);
   illuminate->Update();
   EXPECT_EQ(FieldText(illuminate->GetOutput(), "StoppedBy"), "time limit\n") << "time limit";
+}
+
+TEST(IlluminationMap, TellsTheErrorOfFacetSizeAndCountsItIfAsked)
+{
+  vtkNew<vtkPlaneSource> floor; // under the lamp, of facets that are large for its distance
+  floor->SetResolution(6, 6);
+  vtkNew<vtkIlluminationMap> illuminate;
+  illuminate->SetInputConnection(floor->GetOutputPort());
+  illuminate->SetLampType(vtkIlluminationMap::POINT);
+  illuminate->SetLampPosition(0.05, 0.1, 0.3);
+  illuminate->SetPhotons(2000000000);
+  illuminate->SetTargetRelativeError(0.02);
+  illuminate->Update();
+  EXPECT_EQ(FieldText(illuminate->GetOutput(), "StoppedBy"), "target relative error\n");
+  auto* table = vtkTable::SafeDownCast(illuminate->GetOutputDataObject(1));
+  EXPECT_EQ(Cell(table, table->GetNumberOfRows() - 1, "RelativeFacetError"), 0.0) << "not counted";
+
+  illuminate->CountFacetErrorOn();
+  illuminate->Update();
+  const std::string reason = FieldText(illuminate->GetOutput(), "StoppedBy");
+  EXPECT_EQ(reason.rfind("facets too large for the target", 0), 0u) << reason;
+  EXPECT_NE(reason.find("Final Gathering"), std::string::npos) << reason;
+  EXPECT_GT(Cell(table, table->GetNumberOfRows() - 1, "RelativeFacetError"), 0.02) << "counted";
+  vtkDataArray* error = PointArray(illuminate->GetOutput(), "FacetError");
+  ASSERT_TRUE(error && error->GetNumberOfTuples() == illuminate->GetOutput()->GetNumberOfPoints());
+  EXPECT_GT(error->GetRange()[1], 0.0);
+  EXPECT_GE(error->GetRange()[0], 0.0);
+
+  illuminate->SetMethod(vtkIlluminationMap::FINAL_GATHERING);
+  illuminate->SetPhotons(10000);
+  illuminate->SetGatherRays(16);
+  illuminate->Update();
+  EXPECT_FALSE(PointArray(illuminate->GetOutput(), "FacetError"));
 }

@@ -56,10 +56,13 @@ TEST(SurfaceMaterialPresets, AreMaterialsWithTheirNumbers)
   is(vtkSurfaceMaterial::MIRROR, "SpecularReflectance", 0.9);
   is(vtkSurfaceMaterial::MIRROR, "DiffuseReflectance", 0.0);
   is(vtkSurfaceMaterial::CLEAR_GLASS, "SolidBody", 0.0);
+  is(vtkSurfaceMaterial::OPENING, "ClearTransmittance", 1.0);
+  is(vtkSurfaceMaterial::OPENING, "RefractiveIndex", 1.0);
+  is(vtkSurfaceMaterial::OPENING, "Opening", 1.0);
 
   // The custom values are out of range and must not matter.
   filter->SetDiffuseReflectance(2.0, 2.0, 2.0);
-  for (int p = vtkSurfaceMaterial::WHITE_PAINT; p <= vtkSurfaceMaterial::FROSTED_GLASS; ++p)
+  for (int p = vtkSurfaceMaterial::WHITE_PAINT; p <= vtkSurfaceMaterial::OPENING; ++p)
   {
     filter->SetPreset(p);
     EXPECT_TRUE(ErrorOf(filter).empty() && HasMaterial(filter->GetOutput()))

@@ -153,7 +153,7 @@ TEST(SurfaceMaterial, PrintsItsDefaults)
   for (const std::string line : { "Preset: 0", "DiffuseReflectance: 0.5 0.5 0.5",
          "SpecularReflectance: 0 0 0", "GlossyReflectance: 0 0 0", "Roughness: 0.3",
          "DiffuseTransmittance: 0 0 0", "ClearTransmittance: 0 0 0", "RefractiveIndex: 1.5",
-         "SolidBody: 0", "Blocks: 2 4", "CellArray: Part", "CellValue: 0" })
+         "SolidBody: 0", "Opening: -1", "Blocks: 2 4", "CellArray: Part", "CellValue: 0" })
   {
     EXPECT_TRUE(Holds(text.str(), line + "\n")) << "PrintSelf says " << line;
   }

@@ -36,10 +36,19 @@ NOT_DEFAULT = {
     "CurvedSurface": (1, True),
     "RegisterBackSide": (1, True),
     "GroupMeans": (1, True),
+    "MaximumPhotons": 1000,
+    "PhotonPaths": 100,
     "MetresPerUnit": 0.001,
     "FeatureAngle": 60.0,
     "Photons": 5000000000.0,
+    "Method": ("Final Gathering", 1),
+    "GatherRays": 512,
+    "AdaptiveRefinement": (1, True),
+    "RefinementTolerance": 0.1,
+    "MaximumCells": 5000,
     "TargetRelativeError": 0.02,
+    "AccuracyRegionArray": "Grey",
+    "CountFacetError": (1, True),
     "TimeLimit": 60.0,
     "Seed": 7,
     "Registration": ("Facet Ratio", 1),
@@ -48,6 +57,7 @@ NOT_DEFAULT = {
     "MaximumPathLength": 100,
     "NumberOfThreads": 1,
     "MemoryLimit": 2.5,
+    "Progressive": (0, False),
 }
 
 
@@ -76,8 +86,18 @@ def changed_proxy():
 
 def test_each_property_is_documented_and_reaches_the_filter():
     proxy = IlluminationMap(Input=surface_with_cell_arrays())
-    proxies.check_documented(proxy, NOT_DEFAULT)
+    proxies.check_documented(proxy, [*NOT_DEFAULT, "AccuracyRegionBlocks", "Pause"])
     proxies.check_reach(proxy, NOT_DEFAULT)
+
+
+def test_region_blocks_reach_the_filter_and_none_is_the_default():
+    both = simple.GroupDatasets(Input=[simple.Plane(), simple.Sphere()])
+    proxy = IlluminationMap(Input=both, AccuracyRegionBlocks=[2])
+    proxy.UpdateVTKObjects()
+    assert proxy.GetClientSideObject().HasAccuracyRegionBlock(2)
+    proxy.AccuracyRegionBlocks = []
+    proxy.UpdateVTKObjects()
+    assert proxy.GetClientSideObject().GetNumberOfAccuracyRegionBlocks() == 0
 
 
 def test_defaults_of_proxy_and_class_agree():
@@ -90,6 +110,8 @@ def test_array_lists_offer_cell_arrays_of_the_right_shape_and_none():
     assert proxy.ReflectanceArray == proxy.ExitanceArray == "None"
     assert list(proxy.GetProperty("ReflectanceArray").Available) == ["None", "Colour", "Grey"]
     assert list(proxy.GetProperty("ExitanceArray").Available) == ["None", "Colour", "Grey"]
+    assert proxy.AccuracyRegionArray == "None"
+    assert list(proxy.GetProperty("AccuracyRegionArray").Available) == ["None", "Grey"]
 
 
 def test_none_means_no_array():
@@ -121,6 +143,18 @@ def test_luminaires_replace_the_own_lamp_and_survive_a_state():
     again.Luminaires = []
     again.UpdatePipeline()
     assert servermanager.Fetch(again).GetPointData().GetArray("Illuminance_Lamp")
+
+
+def test_final_gathering_has_its_arrays_and_its_columns():
+    proxy = IlluminationMap(Input=surface_with_cell_arrays(), Photons=20000, Method="Final Gathering",
+                            GatherRays=64, AccuracyRegionArray="Grey")
+    proxy.UpdatePipeline()
+    assert proxy.PointData.GetArray("IlluminanceCaustic") is not None
+    assert proxy.PointData.GetArray("PhotonHits") is None
+    row = servermanager.Fetch(proxy, idx=1).GetRowData()
+    assert row.GetArray("GatherRays").GetValue(0) == 64
+    # The region is the whole surface.
+    assert row.GetArray("RegionRelativeError").GetValue(0) == row.GetArray("RelativeError").GetValue(0)
 
 
 def test_photons_are_whole_numbers_up_to_1e10():

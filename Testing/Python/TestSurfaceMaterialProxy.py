@@ -14,6 +14,7 @@ NOT_DEFAULT = {
     "ClearTransmittance": [0.0, 0.0, 0.25],
     "RefractiveIndex": 1.75,
     "SolidBody": (1, True),
+    "Opening": ("No Opening", 0),
     "CellArray": "Part",
     "CellValue": 3.0,
 }
@@ -80,7 +81,7 @@ def test_presets_are_the_classes_own():
         proxy.UpdateVTKObjects()
         constant = getattr(vtkSurfaceMaterial, text.upper().replace(" ", "_"))
         assert proxy.GetClientSideObject().GetPreset() == constant, text
-    assert len(proxy.GetProperty("Preset").Available) == vtkSurfaceMaterial.FROSTED_GLASS + 1
+    assert len(proxy.GetProperty("Preset").Available) == vtkSurfaceMaterial.OPENING + 1
 
 
 def test_array_list_offers_cell_arrays_of_one_component():

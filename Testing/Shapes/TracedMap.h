@@ -12,14 +12,15 @@
 std::size_t MostFacetsInOnePlace(const PhotonTransport::Scene& scene);
 
 /// A whole run to a number of photons. It expects a sound result: photons balance, all values are
-/// finite and not below 0, and no more flux is registered than arrived times the weight bound, on
-/// each facet in one place.
+/// finite and not below 0, and photon tracing registers no more flux than arrived times the weight
+/// bound, on each facet in one place.
 class TracedMap
 {
 public:
-  /// The scene must outlive this.
+  /// The scene must outlive this. @param openings See IlluminationRun.
   TracedMap(const PhotonTransport::Scene& scene, const PhotonTransport::Lighting& lighting,
-    const PhotonTransport::TraceSettings& settings, std::uint64_t photons);
+    const PhotonTransport::TraceSettings& settings, std::uint64_t photons,
+    const PhotonTransport::Openings& openings = {});
   /// In a scene of its own.
   TracedMap(const PhotonTransport::Surface& surface, const PhotonTransport::Lighting& lighting,
     const PhotonTransport::TraceSettings& settings, std::uint64_t photons);
@@ -27,7 +28,8 @@ public:
 private:
   using ScenePointer = std::shared_ptr<const PhotonTransport::Scene>;
   TracedMap(const ScenePointer& scene, const PhotonTransport::Lighting& lighting,
-    const PhotonTransport::TraceSettings& settings, std::uint64_t photons);
+    const PhotonTransport::TraceSettings& settings, std::uint64_t photons,
+    const PhotonTransport::Openings& openings);
 
   ScenePointer Owned;
 

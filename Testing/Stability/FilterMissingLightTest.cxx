@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Any lamp anywhere in or about a closed room with any fault of its mesh: all flux is accounted
-// for, and where less than nine tenths of it came to fronts there is a warning.
+// for, and where surely less than nine tenths of it came to fronts there is a warning.
 #include "FilterTools.h"
 #include "RoomMesh.h"
 
@@ -8,6 +8,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <random>
 #include <string>
@@ -114,7 +115,8 @@ TEST_F(FilterMissingLight, IsAllAccountedForOrTold)
     EXPECT_NEAR(
       fronts + this->Lumens("FluxOnBacks") + this->Lumens("FluxEscaped"), emitted, 1e-9 * emitted);
     const double due = emitted - (this->SeenFromOutside ? this->Lumens("FluxEscaped") : 0.0);
-    if (fronts < 0.9 * due)
+    // Three standard errors of the 8192 photons.
+    if (fronts < (0.9 - 3.0 * std::sqrt(0.1 * 0.9 / 8192.0)) * due)
     {
       EXPECT_GT(this->Messages->Warnings, 0)
         << fronts << " lm of " << due << " and " << this->Lumens("FluxEscaped") << " escaped"

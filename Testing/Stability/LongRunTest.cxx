@@ -139,18 +139,24 @@ TEST(Case8, PhotonsBeyondTheLimitAreRefused)
 
 TEST(Case8, SumsEndARunBeforeTheyOverflow)
 {
-  ReplicateSums sums{ std::vector<IlluminationSums>(8, IlluminationSums(3, true)), {} };
+  ReplicateSums sums(8, IlluminationSums(3, true));
   EXPECT_FALSE(sums.AreFull());
-  for (IlluminationSums& replicate : sums.replicates)
+  for (std::size_t r = 0; r < 8; ++r)
   {
+    IlluminationSums replicate(3, true);
     replicate.front[1].direct = (FixedPoint{ 1 } << 57) - 1; // 16 of them are 2^61
     replicate.front[1].indirect = (FixedPoint{ 1 } << 57);
+    sums.Add(r, replicate);
   }
   EXPECT_FALSE(sums.AreFull());
-  sums.replicates[5].front[1].direct += 8;
+  IlluminationSums more(3, true);
+  more.front[1].direct = 8;
+  sums.Add(5, more);
   EXPECT_TRUE(sums.AreFull());
-  sums.replicates[5].front[1].direct = 0;
-  sums.replicates[2].back[2].indirect = FixedPoint{ 1 } << 61;
+  sums.front = SideSums(3, 8, 4);
+  EXPECT_FALSE(sums.AreFull());
+  more.back[2].indirect = FixedPoint{ 1 } << 61;
+  sums.Add(2, more);
   EXPECT_TRUE(sums.AreFull()) << "the back too";
   // A round at most triples the photons.
   EXPECT_LT(3.0 * 0x1p61, 0x1p63);

@@ -23,6 +23,10 @@ TraceSettings DrawSettings()
   settings.weightBound = OneOf({ 16.0f, 1.0f, 2.5f, 0x1p20f });
   settings.maximumPathLength = OneOf({ 20u, 1u, 2u, 200u });
   settings.threads = 1 + Below(2);
+  // Patches of arbitrary normals have hundreds of parts, each with many cells.
+  const bool gathered = !settings.curvedSurface && OneIn(240);
+  settings.method = gathered ? Method::FinalGathering : Method::PhotonTracing;
+  settings.gatherRays = LeastGatherRays;
   return settings;
 }
 

@@ -127,5 +127,6 @@ std::ostream& operator<<(std::ostream& out, const RandomScene& scene)
              << s.scatterings << ", colour " << s.colour << ", lamps apart " << s.lampsApart
              << ", back " << s.registerBackSide << ", curved " << s.curvedSurface << ", bound "
              << s.weightBound << ", longest path " << s.maximumPathLength << ", threads "
-             << s.threads << "\n  mistake: " << (scene.mistake.empty() ? "none" : scene.mistake);
+             << s.threads << ", method " << static_cast<int>(s.method)
+             << "\n  mistake: " << (scene.mistake.empty() ? "none" : scene.mistake);
 }

@@ -5,6 +5,7 @@
 #include "TracedMap.h"
 
 #include "PhotonTransport/statistics/ReplicateStatistics.h"
+#include "PhotonTransport/transport/SkyOpenings.h"
 
 #include <gtest/gtest.h>
 
@@ -73,12 +74,15 @@ void Record(const ValidationCase& known, const Measured& measured)
   record("deviation", Text("%.3f", 100.0 * Largest(known, measured, Deviation)));
   record("standardError", Text("%.3f", 100.0 * Largest(known, measured, StandardError)));
   record("ratio", Text("%.1f", Largest(known, measured, Ratio)));
-  record("photons", Text("%.1f", measured.photons * 1e-6));
+  record("photons", Text(measured.photons < 1e6 ? "%.2f" : "%.1f", measured.photons * 1e-6));
 }
 
 Measured Measure(const ValidationCase& known, double photons, std::uint32_t firstSeed)
 {
   const Scene scene(known.surface);
+  const Openings openings = known.withoutOpenings
+    ? Openings()
+    : OpeningsToSkies(known.surface, scene, known.lighting, known.settings).openings;
   Measured measured;
   measured.quantities.resize(known.quantities.size());
   for (std::uint32_t run = 0; run < Runs; ++run)
@@ -87,9 +91,10 @@ Measured Measure(const ValidationCase& known, double photons, std::uint32_t firs
     settings.seed = firstSeed + run;
     settings.replicates = 2;
     const TracedMap map(
-      scene, known.lighting, settings, static_cast<std::uint64_t>(photons / Runs));
+      scene, known.lighting, settings, static_cast<std::uint64_t>(photons / Runs), openings);
     const PhotonBalance& balance = map.balance;
-    EXPECT_EQ(balance.emitted, balance.absorbed + balance.escaped + balance.cutOff);
+    EXPECT_EQ(balance.emitted,
+      balance.absorbed + balance.escaped + balance.cutOff + balance.handedOver + balance.blocked);
     measured.photons += static_cast<double>(balance.emitted);
     const std::vector<double> total = Total(map.front);
     for (std::size_t q = 0; q < known.quantities.size(); ++q)

@@ -25,6 +25,8 @@ struct ValidationCase
   std::vector<Quantity> quantities;
   double photons = 4e6; ///< Of all runs together, the first time.
   PhotonTransport::TraceSettings settings{};
+  /// The run is not told of openings to the sky.
+  bool withoutOpenings = false;
 };
 
 /// Traces the case in 32 independent runs and expects each quantity within 3 standard errors of

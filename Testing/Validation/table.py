@@ -28,10 +28,10 @@ def main(folder, page):
     """Puts the table between its marks."""
     rows = []
     for _, _, said in finished_tests(folder):
-        # A test that has several cases numbers their properties.
+        # A test that has several cases numbers their properties. Other tests have properties of theirs.
         for key in said:
-            if key.startswith("case"):
-                of = key[len("case"):]
+            if numbered := re.fullmatch(r"case(\d+)", key):
+                of = numbered[1]
                 names = ("case", "quantities", "exact", "measured", "deviation", "ratio", "standardError", "photons")
                 rows.append([said[name + of] for name in names])
     missing = [case for case in WANTED if not any(row[0].startswith(case + " ") for row in rows)]

@@ -180,7 +180,7 @@ def key(figure):
         Line2D([], [], marker="o", markersize=3.2, linestyle=LINES["Random"], **style,
                label="true error, Random"),
         Line2D([], [], marker="o", markersize=7, mfc="none", mec=INK, linestyle="",
-               label="error that the filter itself estimates (Vertex Normalised)"),
+               label="noise that the filter itself estimates (Vertex Normalised)"),
     ]  # fmt: skip
     figure.legend(
         handles=entries, loc="upper left", bbox_to_anchor=(0.055, 0.945), ncols=3, frameon=False,

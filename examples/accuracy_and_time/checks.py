@@ -11,6 +11,8 @@ LEAST_GAIN = 20.0  # of Sobol over Random on the sphere, at SPHERE_PHOTONS
 SPHERE_PHOTONS = 1_000_000
 TARGET = 0.02  # on the cabin
 TRUE_ERROR = (0.015, 0.02)  # where the true error may then lie
+GATHERED_PHOTONS = 500_000
+TRUE_OVER_TOLD = (0.8, 1.25)  # by Final Gathering
 PREDICTED_AFTER = 0.1  # of the run's time
 PREDICTION = 0.3  # by how much the predicted time may be off
 
@@ -49,16 +51,37 @@ def cabin_at_target(cabin, reference):
     return error, rounds["PredictedSeconds"][row] / seconds[-1]
 
 
-def run_checks(sphere, cabin, reference):
-    """Prints every check; returns how many fail."""
-    gain = sobol_gain(sphere)
-    error, prediction = cabin_at_target(cabin, reference)
+def true_over_told(scene, truth):
+    """True over told error of a scene by Final Gathering."""
+    with Run(scene, Method="Final Gathering") as run:
+        lux = run.to(GATHERED_PHOTONS)
+        told = scene.share(run.array("StandardError"), lux)
+    error = scene.relative_error(lux, truth)
+    print(f"{scene.name}, Final Gathering: true error {100 * error:.2f} %, told {100 * told:.2f} %")
+    return error / told
+
+
+def run_checks(scenes, traced, truth):
+    """Prints every check; returns how many fail.
+
+    traced, truth: the cabin by long runs of Photon Tracing, which has the same facets as what is
+    checked, and of Final Gathering.
+    """
+    cabin, room = scenes["cabin"], scenes["room"]
+    gain = sobol_gain(scenes["sphere"])
+    error, prediction = cabin_at_target(cabin, traced)
+    ratios = {"room": true_over_told(room, room.exact), "cabin": true_over_told(cabin, truth)}
     low, high = TRUE_ERROR
+    low_ratio, high_ratio = TRUE_OVER_TOLD
     within = f"within {100 * low:g} to {100 * high:g} %"
     results = (
         (f"Sobol's error {gain:.1f} times below Random's", gain >= LEAST_GAIN),
         (f"cabin's true error {100 * error:.3f} %, {within}", low <= error <= high),
         (f"predicted over real time {prediction:.3f}", abs(prediction - 1.0) <= PREDICTION),
+    )
+    results += tuple(
+        (f"{name}, gathered: true over told error {ratio:.2f}", low_ratio <= ratio <= high_ratio)
+        for name, ratio in ratios.items()
     )
     for text, passed in results:
         print(("passed: " if passed else "FAILED: ") + text, flush=True)

@@ -24,24 +24,29 @@ class Run:
 
     def __init__(self, scene, **properties):
         self.source = as_source(scene.surface)
-        self.proxy = simple.IlluminationMap(Input=self.source, **scene.lamp, **properties)
+        self.lamps = [simple.Luminaire(**scene.luminaire)] if scene.luminaire else []
+        lamp = {"Luminaires": self.lamps} if self.lamps else {}
+        self.proxy = simple.IlluminationMap(Input=self.source, **lamp, **scene.lamp, **properties)
 
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
-        simple.Delete(self.proxy)
-        simple.Delete(self.source)
+        for one in (self.proxy, *self.lamps, self.source):
+            simple.Delete(one)
+
+    def array(self, name):
+        """A point array of the map as it is."""
+        array = servermanager.Fetch(self.proxy).GetPointData().GetArray(name)
+        if array is None:
+            raise RuntimeError("IlluminationMap has failed; its message is above")
+        return vtk_to_numpy(array).copy()
 
     def to(self, photons):
         """Goes on to so many photons; returns the illuminance of the points in lx."""
         self.proxy.Photons = photons
         self.proxy.UpdatePipeline()
-        result = servermanager.Fetch(self.proxy)
-        array = result.GetPointData().GetArray("Illuminance")
-        if array is None:
-            raise RuntimeError("IlluminationMap has failed; its message is above")
-        return vtk_to_numpy(array).copy()
+        return self.array("Illuminance")
 
     def rounds(self):
         """The table Accuracy so far: column name -> array with a value for each round."""
@@ -81,18 +86,29 @@ def digest(scene):
     parts += [surface.GetPointData().GetNormals()]
     cells = surface.GetCellData()
     parts += [cells.GetArray(i) for i in range(cells.GetNumberOfArrays())]
-    text = repr(sorted(scene.lamp.items())).encode()
+    lamps = sorted({**scene.lamp, **(scene.luminaire or {})}.items())
+    text = repr(lamps).encode()
     data = b"".join(vtk_to_numpy(part).tobytes() for part in parts)
     return hashlib.sha256(text + data).hexdigest()[:12]
 
 
-def long_run(scene, photons, folder):
-    """The Truth by very many photons of another seed; kept in a file for the next time."""
-    file = folder / f"{scene.name}_{digest(scene)}_{photons}_photons.npz"
+def long_run(scene, photons, folder, method="Final Gathering"):
+    """The Truth by very many photons of another seed; kept in a file for the next time.
+
+    By Final Gathering it is the light at the points themselves; by Photon Tracing a mean over the
+    facets around them, against which a map has no error but noise.
+    """
+    file = folder / f"{scene.name}_{digest(scene)}_{method.replace(' ', '_')}_{photons}.npz"
     if not file.exists():
-        print(f"{scene.name}: a long run of {photons} photons", flush=True)
-        with Run(scene, Seed=1001) as run:
-            np.savez(file, lux=run.to(photons), error=run.rounds()["RelativeError"][-1])
+        print(f"{scene.name}: a long run of {photons} photons, {method}", flush=True)
+        with Run(scene, Seed=1001, Method=method) as run:
+            lux = run.to(photons)
+            np.savez(file, lux=lux, error=scene.share(run.array("StandardError"), lux))
     kept = np.load(file)
     print(f"{scene.name}: the long run's own error is {100 * float(kept['error']):.3f} %")
     return Truth(kept["lux"], float(kept["error"]))
+
+
+def truth_of(scene, folder):
+    """The exact illuminance, or where it is not known that of a long run at the points."""
+    return scene.exact if scene.exact is not None else long_run(scene, scene.long, folder)

@@ -40,6 +40,19 @@ class Scene:
     lamp: dict  # properties of the filter
     exact: object  # Truth; None where only a long run tells
     largest: int  # photons up to which the curves run
+    long: int = 0  # photons of the long run, if that is the truth
+    luminaire: dict | None = None  # properties of a Luminaire, in place of the filter's lamp
+    counted: object = None  # which points count; None: all
+
+    def areas(self):
+        """The area that each point stands for (m²), 0 where it does not count."""
+        areas = point_areas(self.surface)
+        return areas if self.counted is None else areas * self.counted
+
+    def share(self, error, lux):
+        """Area-weighted RMS of errors at points (lx), as a share of the mean of lux."""
+        areas = self.areas()
+        return float(np.sqrt(np.average(error**2, weights=areas)) / np.average(lux, weights=areas))
 
     def relative_error(self, lux, truth=None):
         """Area-weighted RMS error of a map (lx), as a share of the mean illuminance.
@@ -47,10 +60,8 @@ class Scene:
         The noise of the truth, which is independent of the map's, is taken out.
         """
         truth = truth or self.exact
-        areas = point_areas(self.surface)
-        square = np.average((lux - truth.lux) ** 2, weights=areas)
-        mean = np.average(truth.lux, weights=areas)
-        return float(np.sqrt(max(square / mean**2 - truth.error**2, 0.0)))
+        square = self.share(lux - truth.lux, truth.lux) ** 2
+        return float(np.sqrt(max(square - truth.error**2, 0.0)))
 
 
 def with_cell_value(surface, name, value):
@@ -121,7 +132,8 @@ def cabin():
         "ExitanceArray": "Exitance",
         "ReflectanceArray": "Reflectance",
     }
-    return Scene("cabin", "Aircraft cabin, cove light", make_cabin(), lamp, None, 5_000_000)
+    title = "Aircraft cabin, cove light"
+    return Scene("cabin", title, make_cabin(), lamp, None, 5_000_000, long=16_000_000)
 
 
 SCENES = {"sphere": sphere, "room": room, "cabin": cabin}

@@ -11,6 +11,7 @@ from pictures import BAR, GAP, INK, MARGIN, TITLE, Camera, Page, Panel, Row, Sca
 WIDTH = 1400  # pixels
 ALONG_THE_AISLE = Camera(position=(0.12, 0.0, 1.5), focus=(4.0, 0.0, 1.37), angle=62.0)
 BIN_AND_SEATS = Camera(position=(1.0, -0.1, 1.62), focus=(2.7, 0.95, 1.42), angle=40.0)
+BESIDE_COVE = Camera(position=(1.9, 0.1, 1.80), focus=(2.5, 0.85, 2.12), angle=50.0)
 DECADES = "Decades of lux"  # point array: log10 of the illuminance, in lx
 
 
@@ -54,19 +55,39 @@ def with_decades(found, lowest):
     return with_array(found.surface, np.log10(np.maximum(found.array(), lowest)), DECADES)
 
 
-def draw_cabin(path, maps, lowest, highest, detail):
-    """Draws the maps (title -> IlluminationMap): the aisle from lowest to highest (lx), a detail (lx)."""
-    surfaces = {title: with_decades(found, lowest) for title, found in maps.items()}
-    decades = Scale(DECADES, float(np.log10(lowest)), float(np.log10(highest)))
-    lux = Scale("Illuminance, lx", 0.0, detail)
-    rows = [
-        Row(decades, panels(surfaces, DECADES, True), ALONG_THE_AISLE, 400),
-        Row(lux, panels(surfaces, "Illuminance", False), BIN_AND_SEATS, 330),
-    ]
-    panel = (WIDTH - 2 * MARGIN - BAR - (len(maps) - 1) * GAP) // len(maps)
+def draw_page(path, rows):
+    """Draws rows of equally many panels, the heads of the first above all."""
+    count = len(rows[0].panels)
+    panel = (WIDTH - 2 * MARGIN - BAR - (count - 1) * GAP) // count
     page = LuxPage(WIDTH, 2 * MARGIN + GAP + sum(TITLE + row.height for row in rows))
     top = MARGIN
     for row in rows:
         draw_row(page, row, top, panel, (1.0, 1.0, 1.0))
         top += TITLE + row.height + GAP
     page.save(path)
+
+
+def aisle(maps, lowest, highest, height):
+    """The row that shows maps (title -> IlluminationMap) along the aisle, from lowest to highest (lx)."""
+    surfaces = {title: with_decades(found, lowest) for title, found in maps.items()}
+    decades = Scale(DECADES, float(np.log10(lowest)), float(np.log10(highest)))
+    return Row(decades, panels(surfaces, DECADES, True), ALONG_THE_AISLE, height)
+
+
+def close_up(maps, highest, camera, height):
+    """A row that shows them from near, up to highest (lx)."""
+    surfaces = {title: found.surface for title, found in maps.items()}
+    lux = Scale("Illuminance, lx", 0.0, highest)
+    return Row(lux, panels(surfaces, "Illuminance", False), camera, height)
+
+
+def draw_cabin(path, maps, lowest, highest, detail):
+    """Draws the maps (title -> IlluminationMap): the aisle from lowest to highest (lx), a detail (lx)."""
+    rows = [aisle(maps, lowest, highest, 400), close_up(maps, detail, BIN_AND_SEATS, 330)]
+    draw_page(path, rows)
+
+
+def draw_methods(path, maps, lowest, highest, near_cove):
+    """The same with the ceiling beside the cove as the detail."""
+    rows = [aisle(maps, lowest, highest, 470), close_up(maps, near_cove, BESIDE_COVE, 400)]
+    draw_page(path, rows)

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The evening's flux, colours, lamps, dimming, gloss and carpet are as they must be. Run by pvbatch."""
+"""The evening's flux, colours, lamps, dimming, gloss and carpet are as they must be, by both methods.
+
+Run by pvbatch.
+"""
 
 import sys
 from pathlib import Path
@@ -31,15 +34,17 @@ PHOTONS = 1_000_000
 # its estimate is at most 7 / 5.
 RMS_LIMIT = (7.0 / 5.0) ** 0.5
 SIGMAS = 3.0  # of errors that are rather too wide, see mean()
+GATHERED = {"Method": "Final Gathering", "Photons": 500_000, "GatherRays": 16, "Seed": 5}
+FINE = 0.01  # FacetError over illuminance, where facets are fine for the light
+FEWEST_POINTS = 50  # of a place whose mean over such points tells something
 
 
-def mean(found, place, values, error):
-    """Mean of point values by area over a place, and its standard error.
+def mean(found, own, values, error):
+    """Mean of point values by area over some points, and its standard error.
 
     Thrice that of independent points: every photon's hit counts at three of them, and it may hit
     the place again.
     """
-    own = places(found.surface)[place]
     share = point_areas(found.surface)[own]
     share /= share.sum()
     return share @ values[own], 3.0 * np.sqrt(share**2 @ error[own] ** 2)
@@ -52,14 +57,20 @@ def differs(first, second):
 
 def lux(found, place):
     """Mean illuminance of a place (lx) and its standard error."""
-    return mean(found, place, found.array(), found.array("StandardError"))
+    return mean_lux(found, places(found.surface)[place])
+
+
+def mean_lux(found, own):
+    """The same of some points."""
+    return mean(found, own, found.array(), found.array("StandardError"))
 
 
 def red_lux(found, place):
     """The same of the red channel; see smoothed_colours in cabin_materials.py for its error."""
     red = found.array("IlluminanceRGB")[:, 0]
     share = red / np.maximum(LUMINOUS[0] * found.array(), 1e-30)
-    return mean(found, place, red, found.array("StandardError") * np.sqrt(share))
+    own = places(found.surface)[place]
+    return mean(found, own, red, found.array("StandardError") * np.sqrt(share))
 
 
 def check_flux(found):
@@ -118,6 +129,27 @@ def check_carpet(found, scene):
     assert differs(*red) > SIGMAS, red
 
 
+def check_methods(found, scene):
+    """Final Gathering finds the same light, where facets are fine for it.
+
+    Elsewhere the two are to differ: Photon Tracing has a mean over facets, which FacetError tells.
+    """
+    gathered = light(scene, EVENING, **GATHERED)
+    fine = (found.array("FacetError") < FINE * found.array()) & (found.array() > 0.0)
+    square = found.array("FacetError") ** 2
+    square = square + sum(one.array("StandardError") ** 2 for one in (found, gathered))
+    off = (gathered.array() - found.array())[fine] / np.sqrt(square[fine])
+    rms = np.sqrt(np.mean(off**2))
+    print(f"Final Gathering at {fine.sum()} points: differs by {rms:.3f} standard errors (RMS)")
+    assert rms < RMS_LIMIT, rms
+    for place, own in places(found.surface).items():
+        if np.count_nonzero(own & fine) >= FEWEST_POINTS:
+            traced, by_rays = (mean_lux(one, own & fine) for one in (found, gathered))
+            apart = differs(by_rays, traced)
+            print(f"{place}: {traced[0]:.3f} lx, gathered {by_rays[0]:.3f}: {apart:.1f} standard errors")
+            assert abs(apart) < SIGMAS, (place, traced, by_rays)
+
+
 def main():
     """Lights the cabin and looks."""
     load_plugin()
@@ -127,6 +159,7 @@ def main():
     check_sums(found)
     check_dimming(found, scene)
     check_gloss(found, scene)
+    check_methods(found, scene)
     check_carpet(found, scene)  # changes the scene
 
 

@@ -23,6 +23,24 @@ def sphere():
     return source.GetOutput()
 
 
+def icosphere(centre, radius, subdivisions):
+    """An icosahedron whose triangles are divided in four so often and lifted onto the sphere."""
+    source = vtk.vtkPlatonicSolidSource()
+    source.SetSolidTypeToIcosahedron()
+    source.Update()
+    surface = source.GetOutput()
+    for _ in range(subdivisions):
+        divide = vtk.vtkLinearSubdivisionFilter()
+        divide.SetInputData(surface)
+        divide.Update()
+        surface = divide.GetOutput()
+        points = vtk_to_numpy(surface.GetPoints().GetData())
+        points /= np.linalg.norm(points, axis=1, keepdims=True)
+    corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    corners = corners[:, ::-1]  # VTK's icosahedron is inside out
+    return to_surface(radius * points + centre, points, corners)
+
+
 def to_surface(points, normals, triangles):
     """A vtkPolyData of points (n, 3), their unit normals (n, 3) and triangles (m, 3)."""
     surface = vtk.vtkPolyData()

@@ -3,6 +3,7 @@
 
 import os
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from paraview import servermanager, simple
@@ -26,6 +27,12 @@ class IlluminationMap:
 def load_plugin():
     """Makes the filter known to ParaView; the environment says where the plugin is."""
     simple.LoadPlugin(os.environ["ILLUMINATION_PLUGIN"], remote=False, ns=vars(simple))
+
+
+def python_packages():
+    """Folders of Python packages beside the plugin: vtkIllumination and illumination_report."""
+    libraries = Path(os.environ["ILLUMINATION_PLUGIN"]).resolve().parents[3]
+    return [str(folder) for folder in libraries.glob("python3*/*-packages")]
 
 
 def as_source(data):

@@ -21,6 +21,7 @@ from matplotlib import pyplot  # noqa: E402  (the backend comes first)
 OVERSAMPLING = 2  # pixels rendered per pixel shown, along each side
 INK = "#202020"
 LINE_COLOUR = [0.0, 0.0, 0.0]
+NO_VALUE = [0.62, 0.64, 0.67]  # of points whose value is no number
 MARGIN, GAP, TITLE, BAR = 16, 14, 34, 110  # pixels of the page
 
 
@@ -54,6 +55,7 @@ class Panel:
     surface: object = None  # a VTK data object
     array: str = "Illuminance"
     table: tuple = ()  # lines of text cells, the first line its heads
+    culled: bool = False  # the sides from which corners run clockwise are not seen
 
 
 @dataclass
@@ -90,6 +92,7 @@ def colour_by(display, array, scale):
     colours = matplotlib.colormaps[scale.colours](steps)[:, :3]
     table.ColorSpace = "RGB"
     table.RGBPoints = np.column_stack([values, colours]).ravel().tolist()
+    table.NanColor = NO_VALUE
     table.AutomaticRescaleRangeMode = "Never"
 
 
@@ -107,15 +110,30 @@ def show_lines(source, view, array, scale):
     return [display, lines]
 
 
-def snapshot(surface, array, scale, camera, pixels, background):
+def captured(view, shown):
+    """The picture that a view shows, each pixel the mean of those rendered for it: (height, width, 3),
+    0 to 1. Deletes what it shows, each given before what it depends on, and then the view.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        file = str(Path(folder) / "view.png")
+        simple.SaveScreenshot(file, view, ImageResolution=view.ViewSize)
+        image = pyplot.imread(file)[..., :3]
+    for proxy in [*shown, view]:
+        simple.Delete(proxy)
+    rows, columns = (n // OVERSAMPLING for n in image.shape[:2])
+    return image.reshape(rows, OVERSAMPLING, columns, OVERSAMPLING, 3).mean(axis=(1, 3))
+
+
+def snapshot(surface, array, scale, camera, pixels, background, culled=False):
     """The picture of a surface as an array of (height, width, 3), 0 to 1.
 
-    scale: None for an array that holds colours, 8 bits each.
+    scale: None for an array that holds colours, 8 bits each. culled: see Panel.
     """
     source = as_source(surface)
     view = new_view(camera, pixels, background)
     display = simple.Show(source, view)
     display.Ambient, display.Diffuse, display.Specular = 1.0, 0.0, 0.0
+    display.BackfaceRepresentation = "Cull Backface" if culled else "Follow Frontface"
     shown = [display]
     if scale is None:
         simple.ColorBy(display, ("POINTS", array))
@@ -124,14 +142,15 @@ def snapshot(surface, array, scale, camera, pixels, background):
         display.InterpolateScalarsBeforeMapping = 1
         colour_by(display, array, scale)
         shown += show_lines(source, view, array, scale) if scale.line_every else []
-    with tempfile.TemporaryDirectory() as folder:
-        file = str(Path(folder) / "view.png")
-        simple.SaveScreenshot(file, view, ImageResolution=view.ViewSize)
-        image = pyplot.imread(file)[..., :3]
-    for proxy in [*shown, view, source]:
-        simple.Delete(proxy)
-    rows, columns = (n // OVERSAMPLING for n in image.shape[:2])
-    return image.reshape(rows, OVERSAMPLING, columns, OVERSAMPLING, 3).mean(axis=(1, 3))
+    return captured(view, [*shown, source])
+
+
+def appearance(path, source, camera, pixels, background=(0.0, 0.0, 0.0)):
+    """Writes a picture of how an Illuminated Appearance looks as a PNG. pixels: width and height."""
+    view = new_view(camera, pixels, background)
+    image = captured(view, [simple.Show(source, view)])
+    path.parent.mkdir(parents=True, exist_ok=True)
+    Image.fromarray(np.rint(255.0 * image).astype(np.uint8)).save(path, optimize=True)
 
 
 class Page:
@@ -186,10 +205,14 @@ class Page:
 
 
 def reduce_colours(path, colours, background):
-    """Makes a PNG small: keeps the colours of maps (matplotlib's names), greys and a background."""
-    steps = 216 // len(colours)
+    """Makes a PNG small: keeps the colours of maps (matplotlib's names), greys and a background.
+
+    background: one colour, or some (n, 3).
+    """
+    others = np.atleast_2d(background)
+    steps = min(216, 220 - len(others)) // len(colours)
     palette = [matplotlib.colormaps[name](np.linspace(0.0, 1.0, steps))[:, :3] for name in colours]
-    palette += [np.repeat(np.linspace(0.0, 1.0, 36)[:, None], 3, axis=1), np.atleast_2d(background)]
+    palette += [np.repeat(np.linspace(0.0, 1.0, 36)[:, None], 3, axis=1), others]
     table = Image.new("P", (1, 1))
     table.putpalette(np.rint(255.0 * np.vstack(palette)).astype(int).ravel().tolist())
     picture = Image.open(path).convert("RGB")
@@ -205,7 +228,8 @@ def draw_row(page, row, top, width, background):
             page.table(left, top + TITLE, width, panel.table)
             continue
         pixels = (width, row.height)
-        image = snapshot(panel.surface, panel.array, row.scale, row.camera, pixels, background)
+        image = snapshot(
+            panel.surface, panel.array, row.scale, row.camera, pixels, background, panel.culled)  # fmt: skip
         page.place(left, top + TITLE, *pixels).imshow(image, interpolation="none", aspect="auto")
     left = MARGIN + len(row.panels) * (width + GAP)
     page.bar(left, top + TITLE, 22, row.height, row.scale)

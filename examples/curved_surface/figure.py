@@ -1,11 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pictures: the scene by facets, by the curved surface and exactly; and what filters make of meshes."""
 
-import tempfile
-from pathlib import Path
-
 from convergence import distances
-from matplotlib import pyplot
 from PIL import Image
 from paraview import simple
 from scene import SHAPES, refined
@@ -14,7 +10,7 @@ import bodies
 from comparison import with_array
 from illumination import as_source, through
 from pictures import GAP, MARGIN, OVERSAMPLING, TITLE, Camera, Page, Panel, Row, Scale, draw
-from pictures import new_view
+from pictures import captured, new_view
 
 SHOWN_TURN = 3.0  # degrees: MaximumTurn of the bodies in the pictures
 LUX = Scale("Illuminance, lx", 0.0, 700.0, clips=True)
@@ -60,14 +56,7 @@ def photograph(surface, camera, pixels):
     display.EdgeColor = [0.20, 0.22, 0.30]
     display.LineWidth = 0.6 * OVERSAMPLING
     display.Specular = 0.0
-    with tempfile.TemporaryDirectory() as folder:
-        file = str(Path(folder) / "view.png")
-        simple.SaveScreenshot(file, view, ImageResolution=view.ViewSize)
-        image = pyplot.imread(file)[..., :3]
-    for proxy in (display, view, source):
-        simple.Delete(proxy)
-    rows, columns = (n // OVERSAMPLING for n in image.shape[:2])
-    return image.reshape(rows, OVERSAMPLING, columns, OVERSAMPLING, 3).mean(axis=(1, 3))
+    return captured(view, [display, source])
 
 
 FILTERS = {

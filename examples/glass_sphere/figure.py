@@ -1,14 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The picture of the caustic: the scene, the floor from above, and charts over the distance."""
 
-import tempfile
-from pathlib import Path
-
 import matplotlib
 import numpy as np
 from glass_sphere import COARSE, FINE, GLASS, ILLUMINANCE, RINGS
 from glass_sphere import floor, glass, mean_and_error, triangles
-from matplotlib import pyplot
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter
 from paraview import simple
 
@@ -16,7 +12,8 @@ import bodies
 from comparison import with_array
 from exact_caustic import fresnel
 from illumination import as_source
-from pictures import GAP, INK, MARGIN, OVERSAMPLING, TITLE, Camera, Page, Scale, colour_by, new_view
+from pictures import GAP, INK, MARGIN, TITLE, Camera, Page, Scale
+from pictures import captured, colour_by, new_view
 
 WIDTH, SCENE, PLAN = 2000, (900, 520), (443, 400)  # pixels
 DECADES = "Decades of lux"  # point array: log10 of the illuminance, in lx
@@ -71,14 +68,7 @@ def photograph(lux, camera, pixels, sphere=None):
     display.Ambient, display.Diffuse, display.Specular = 1.0, 0.0, 0.0
     colour_by(display, DECADES, SCALE)
     shown = show_glass(view, sphere, camera) if sphere else []
-    with tempfile.TemporaryDirectory() as folder:
-        file = str(Path(folder) / "view.png")
-        simple.SaveScreenshot(file, view, ImageResolution=view.ViewSize)
-        image = pyplot.imread(file)[..., :3]
-    for proxy in [display, *shown, view, source]:
-        simple.Delete(proxy)
-    rows, columns = (n // OVERSAMPLING for n in image.shape[:2])
-    return image.reshape(rows, OVERSAMPLING, columns, OVERSAMPLING, 3).mean(axis=(1, 3))
+    return captured(view, [display, *shown, source])
 
 
 def lux_bar(page, left, top, width, height):

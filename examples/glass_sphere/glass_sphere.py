@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-import vtk
 from paraview import servermanager, simple
 from vtk.util.numpy_support import vtk_to_numpy
 
@@ -54,22 +53,8 @@ def triangles(subdivisions):
 
 
 def glass(subdivisions):
-    """The sphere: an icosahedron whose triangles are divided in four and lifted onto it."""
-    source = vtk.vtkPlatonicSolidSource()
-    source.SetSolidTypeToIcosahedron()
-    source.Update()
-    surface = source.GetOutput()
-    for _ in range(subdivisions):
-        divide = vtk.vtkLinearSubdivisionFilter()
-        divide.SetInputData(surface)
-        divide.Update()
-        surface = divide.GetOutput()
-        points = vtk_to_numpy(surface.GetPoints().GetData())
-        points /= np.linalg.norm(points, axis=1, keepdims=True)
-    corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    corners = corners[:, ::-1]  # VTK's icosahedron is inside out
-    centre = (0.0, 0.0, GLASS.height)
-    return bodies.to_surface(GLASS.radius * points + centre, points, corners)
+    """The sphere, divided so often."""
+    return bodies.icosphere((0.0, 0.0, GLASS.height), GLASS.radius, subdivisions)
 
 
 def floor():

@@ -18,6 +18,10 @@ REGISTRATIONS = {
     "facet-ratio": "Facet Ratio",
     "vertex-normalised": "Vertex Normalised",
 }
+METHODS = {  # of a report, with what suits them
+    "photon-tracing": {"Method": "Photon Tracing", "GroupMeans": 1},
+    "final-gathering": {"Method": "Final Gathering", "GatherRays": 1024, "AdaptiveRefinement": 1},
+}
 ARRAYS = {
     "total": "Illuminance",
     "direct": "IlluminanceDirect",
@@ -80,14 +84,33 @@ OPTIONS = {
         "--registration": {
             "choices": ["all", *REGISTRATIONS],
             "default": "all",
-            "help": "one panel each (all)",
+            "help": "one panel each (all; of a report: vertex-normalised)",
+        },
+    },
+    "report": {
+        "--report": {
+            "action": "store_true",
+            "help": "write one HTML page that needs no other file, in place of picture and tables: "
+            "pictures, isolux plan, statistics, accuracy, what was simulated and why",
+        },
+        "--method": {
+            "choices": METHODS,
+            "default": "photon-tracing",
+            "help": "of the report; final-gathering for surfaces of few large triangles, such as the walls of a "
+            "room, which it refines where the light needs it (photon-tracing)",
+        },
+        "--parts": name("cell array of numbers or text whose parts get statistics of their own"),
+        "--plan-height": {
+            "type": float,
+            "metavar": "LENGTH",
+            "help": "of the horizontal level that the isolux plan shows (the largest)",
         },
     },
     "picture": {
         "--output": {
             "type": Path,
-            "metavar": "PNG",
-            "help": "the picture; tables lie beside it (examples/output/your_mesh/FILE.png)",
+            "metavar": "PATH",
+            "help": "the picture, with tables beside it, or the report (examples/output/your_mesh/FILE.png, .html)",
         },
         "--show": {"choices": ARRAYS, "default": "total", "help": "which illuminance (total)"},
         "--range": {
@@ -147,6 +170,8 @@ def read_options(arguments=None):
         parser.error("--lamp facets needs --exitance-array NAME")
     if options.range and not options.range[0] < options.range[1]:
         parser.error("--range needs FROM below TO")
+    if not options.report and (options.parts or options.plan_height is not None):
+        parser.error("--parts and --plan-height are for --report")
     if not options.file.exists():
         parser.error(f"there is no file {options.file}")
     return options

@@ -2,6 +2,7 @@
 """The illumination map of a mesh of yours, by every registration. Run by ../run FILE [options]."""
 
 import sys
+import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -12,9 +13,9 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "common")]
 
 import tables  # noqa: E402
-from illumination import as_source, illuminate, load_plugin, texts  # noqa: E402
-from options import ARRAYS, LAMPS, REGISTRATIONS, read_options  # noqa: E402
-from pictures import BAR, GAP, MARGIN, Panel, Row, Scale, draw  # noqa: E402
+from illumination import IlluminationMap, as_source, facts_of, illuminate, load_plugin, python_packages, texts  # noqa: E402
+from options import ARRAYS, LAMPS, METHODS, REGISTRATIONS, read_options  # noqa: E402
+from pictures import BAR, GAP, MARGIN, Panel, Row, Scale, appearance, draw  # noqa: E402
 from viewpoint import camera_for, down, light_direction  # noqa: E402
 
 GREY = (0.42, 0.44, 0.47)
@@ -112,7 +113,8 @@ def draw_maps(options, maps, path):
     lowest, highest = options.range or (0.0, float(max(tops)) or 1.0)
     clips = max(m.array(array).max() for m in maps.values()) > highest
     scale = Scale(f"{array}, lx", lowest, highest, line_every=options.lines, clips=clips)
-    panels = [Panel(name, found.surface, array) for name, found in maps.items()]
+    culled = options.report  # of a room one sees the inside, as Illuminated Appearance shows it
+    panels = [Panel(name, found.surface, array, culled=culled) for name, found in maps.items()]
     rows = [Row(scale, panels, camera_for(points, *view), height)]
     draw(path, rows, width, f"{options.file.name}, {LAMPS[options.lamp]} lamp", GREY)
 
@@ -129,12 +131,48 @@ def save(surface, file):
     print(f"Surface: {file}")
 
 
+def report_on(options, surface, properties):
+    """Lights a surface once and writes the report. Returns the IlluminationMap."""
+    sys.path[:0] = python_packages()
+    from illumination_report import write_report
+
+    registration = "Vertex Normalised" if options.registration == "all" else REGISTRATIONS[options.registration]
+    lit = simple.IlluminationMap(
+        Input=as_source(surface), Registration=registration, **METHODS[options.method], **properties)  # fmt: skip
+    # Points where the map was refined differ too much from their neighbours to be smoothed.
+    shown = lit if options.method == "final-gathering" else simple.IlluminationMapSmoothing(Input=lit)
+    look = simple.IlluminatedAppearance(Input=shown)
+    look.UpdatePipeline()
+    found = servermanager.Fetch(look)
+    if not found.GetPointData().HasArray("DisplayColours"):
+        raise RuntimeError("there is nothing to report on; the message is above")
+    found = IlluminationMap(found, facts_of(found))
+    path = options.output or HERE.parent / "output" / "your_mesh" / f"{options.file.stem}.html"
+    points = vtk_to_numpy(found.surface.GetPoints().GetData()).astype(float)
+    width, height = options.size[0] // 2, options.size[1]
+    view = (options.up, options.view_angle, width / height, options.camera, options.focus)
+    with tempfile.TemporaryDirectory() as folder:
+        pictures = {"As it looks": Path(folder) / "look.png", "Illuminance": Path(folder) / "map.png"}
+        appearance(pictures["As it looks"], look, camera_for(points, *view), (width, height))
+        options.size = (width, height)
+        draw_maps(options, {METHODS[options.method]["Method"]: found}, pictures["Illuminance"])
+        more = {"parts": options.parts, "up": options.up, "plan_height": options.plan_height}
+        write_report(path, look, title=f"Illumination of {options.file.name}", pictures=pictures, **more)
+    print(f"Report: {path}")
+    return found
+
+
 def main():
-    """Reads, lights, draws and tabulates."""
+    """Reads, lights, draws and tabulates, or writes a report."""
     options = read_options()
     load_plugin()
     surface = read_surface(options)
     properties = filter_properties(options)
+    if options.report:
+        found = report_on(options, surface, properties)
+        if options.save:
+            save(found.surface, options.save)
+        return
     wanted = [options.registration] if options.registration != "all" else REGISTRATIONS
     names = [REGISTRATIONS[key] for key in wanted]
     maps = {name: illuminate(surface, Registration=name, **properties) for name in names}

@@ -2,18 +2,19 @@
 #include "vtkIlluminationMap.h"
 
 #include "Illumination/luminaires/LuminaireInput.h"
-#include "Illumination/map/IlluminationArrays.h"
-#include "Illumination/map/LightLosses.h"
-#include "Illumination/map/MissingLight.h"
+#include "Illumination/map/AccuracyRegion.h"
+#include "Illumination/map/KeptRun.h"
+#include "Illumination/map/PhotonArrays.h"
+#include "Illumination/map/RunFacts.h"
 #include "Illumination/map/SceneBlocks.h"
-#include "Illumination/map/SceneWarnings.h"
 #include "Illumination/pipeline/InputError.h"
 #include "Illumination/pipeline/Pipeline.h"
+#include "Illumination/ranks/ControllerRanks.h"
 
+#include "PhotonTransport/adaptive/AdaptiveLimits.h"
 #include "PhotonTransport/scene/CurvedSurface.h"
 #include "PhotonTransport/scene/InvalidInput.h"
-#include "PhotonTransport/scene/Scene.h"
-#include "PhotonTransport/transport/IlluminationRun.h"
+#include "PhotonTransport/threads/Threads.h"
 #include "PhotonTransport/transport/MemoryNeed.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -41,23 +42,6 @@ namespace
 
 using PhotonTransport::InvalidInput;
 
-/// The core's complaint with the user's name for the place.
-std::string Message(const InvalidInput& error, const SceneBlocks& blocks)
-{
-  switch (error.Kind)
-  {
-    case InvalidInput::Where::Facet:
-      return blocks.NameOfFacet(error.Index) + ": " + error.what();
-    case InvalidInput::Where::Point:
-      return blocks.NameOfVertex(error.Index) + ": " + error.what();
-    default:
-      return error.what();
-  }
-}
-
-/// When data and filter last changed; no two states of any objects have the same time.
-using Origins = std::vector<vtkMTimeType>;
-
 vtkMTimeType LatestChange(vtkDataObject* data)
 {
   vtkMTimeType latest = data->GetMTime();
@@ -74,36 +58,10 @@ vtkMTimeType LatestChange(vtkDataObject* data)
 
 } // namespace
 
-/// A run that the next execution may go on with, and what its map depends on but for the number of
-/// photons.
-struct vtkIlluminationMap::KeptRun
-{
-  KeptRun(const PhotonTransport::Surface& surface, const PhotonTransport::Lighting& lighting,
-    const PhotonTransport::TraceSettings& settings, Origins madeFrom, std::uint64_t memoryNeed)
-    : Scene(surface)
-    , Run(this->Scene, lighting, settings)
-    , MadeFrom(std::move(madeFrom))
-    , MemoryNeed(memoryNeed)
-  {
-  }
-
-  PhotonTransport::Scene Scene;
-  PhotonTransport::IlluminationRun Run;
-  Origins MadeFrom;
-  std::uint64_t MemoryNeed; ///< Without group means.
-  double MemoryLimit = 0.0; ///< The property as it was, GiB.
-
-  /// Whether another limit may allow more parts of curved patches.
-  bool IsCoarseForAnother(double memoryLimit) const
-  {
-    return this->Scene.Notes().isCoarse && memoryLimit != this->MemoryLimit;
-  }
-};
-
 vtkIlluminationMap::vtkIlluminationMap()
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(4);
 }
 
 vtkIlluminationMap::~vtkIlluminationMap() = default;
@@ -112,6 +70,24 @@ void vtkIlluminationMap::Update(int port)
 {
   const vtkSmartPointer<vtkIlluminationMap> alive(this);
   this->Superclass::Update(port);
+}
+
+void vtkIlluminationMap::SetAccuracyRegionArray(const char* name)
+{
+  this->SetAndKeepRun(this->AccuracyRegionArray, std::string(name ? name : ""));
+}
+
+void vtkIlluminationMap::AddAccuracyRegionBlock(int flatIndex)
+{
+  if (this->AccuracyRegionBlocks.insert(flatIndex).second)
+  {
+    this->Superclass::Modified(); // the run goes on
+  }
+}
+
+void vtkIlluminationMap::RemoveAllAccuracyRegionBlocks()
+{
+  this->SetAndKeepRun(this->AccuracyRegionBlocks, std::set<int>());
 }
 
 void vtkIlluminationMap::SetPhotons(vtkIdType photons)
@@ -168,7 +144,8 @@ void vtkIlluminationMap::RemoveAllLuminaires()
 
 int vtkIlluminationMap::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkDataObject" : "vtkTable");
+  constexpr const char* Types[] = { "vtkDataObject", "vtkTable", "vtkPolyData", "vtkPolyData" };
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), Types[port]);
   return 1;
 }
 
@@ -177,8 +154,9 @@ int vtkIlluminationMap::ProcessRequest(
 {
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()) && !vtkTable::GetData(output, 1))
   {
-    vtkNew<vtkTable> table;
-    output->GetInformationObject(1)->Set(vtkDataObject::DATA_OBJECT(), table);
+    output->GetInformationObject(1)->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkTable>());
+    output->GetInformationObject(2)->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkPolyData>());
+    output->GetInformationObject(3)->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkPolyData>());
   }
   return this->Superclass::ProcessRequest(request, input, output);
 }
@@ -186,43 +164,52 @@ int vtkIlluminationMap::ProcessRequest(
 void vtkIlluminationMap::WithoutResult(vtkInformationVector* outputs)
 {
   FillAccuracyTable(vtkTable::GetData(outputs, 1), {});
+  vtkPolyData::GetData(outputs, 2)->Initialize();
+  vtkPolyData::GetData(outputs, 3)->Initialize();
 }
 
 void vtkIlluminationMap::Execute(
   vtkDataObject* input, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const Luminaires luminaires = LuminaireInputs(inputs[1]);
-  const SceneBlocks blocks(
-    vtkDataObject::GetData(outputs), this->DescribeSurface(!luminaires.empty()));
+  const SurfaceDescription description = this->DescribeSurface(!luminaires.empty());
+  const SceneBlocks blocks(vtkDataObject::GetData(outputs), description);
   const PhotonTransport::Lighting lighting = this->MakeLighting(luminaires);
   Origins origins{ this->RunChanged, LatestChange(input) };
-  for (const LuminaireInput& luminaire : luminaires)
+  for (int i = 0; i < this->GetNumberOfInputConnections(1); ++i)
   {
-    origins.push_back(LatestChange(luminaire.data));
+    origins.push_back(LatestChange(this->GetInputDataObject(1, i)));
   }
   try
   {
+    this->StopBackground();
     const PhotonTransport::StopRules rules = this->MakeStopRules();
     Validate(rules);
+    const std::vector<double> region = AccuracyRegion(blocks, vtkDataObject::GetData(outputs),
+      { ArrayName(this->AccuracyRegionArray), this->AccuracyRegionBlocks });
+    this->MakeAdaptiveLimits(); // which refuses bad ones before the run
+    RequirePhotonCounts(this->MaximumPhotons, this->PhotonPaths);
     const std::uint64_t need =
       this->PrepareRun(blocks, lighting, std::move(origins), rules.photons);
-    const PhotonTransport::StopReason reason = this->Kept->Run.Advance(rules,
-      [report = ProgressReport(this)](const PhotonTransport::RunProgress& progress) mutable
-      {
-        return report(progress.fraction,
-          "Tracing photons, " + std::to_string(std::lround(progress.secondsLeft)) + " s left");
-      });
+    this->Kept->Run.SetRegion(region);
+    const PhotonTransport::StopReason reason = this->AdvanceRun(rules);
     this->WriteMap(blocks, lighting, reason, outputs);
-    AddMemoryNeeded(vtkDataObject::GetData(outputs)->GetFieldData(), need);
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->Kept.reset();
-    throw;
+    this->WritePhotons(blocks, lighting, outputs);
+    if (reason == PhotonTransport::StopReason::Paused)
+    {
+      this->StartBackground(rules);
+    }
+    vtkFieldData* fields = vtkDataObject::GetData(outputs)->GetFieldData();
+    AddMemoryNeeded(fields, need);
   }
   catch (const InvalidInput& error)
   {
-    throw InputError(Message(error, blocks));
+    throw InputError(blocks.WordsFor(error));
+  }
+  catch (...) // out of memory, or another rank has failed
+  {
+    this->Kept.reset();
+    throw;
   }
 }
 
@@ -232,19 +219,31 @@ std::uint64_t vtkIlluminationMap::PrepareRun(const SceneBlocks& blocks,
 {
   const PhotonTransport::TraceSettings settings = this->MakeTraceSettings();
   Validate(settings);
-  const std::uint64_t forGroups =
-    this->GroupMeans ? blocks.Surface().points.size() * PhotonTransport::GroupMeansPerVertex : 0;
+  const std::uint64_t forGroups = this->GroupMeans && this->Method == PHOTON_TRACING
+    ? blocks.Surface().points.size() * PhotonTransport::GroupMeansPerVertex
+    : 0;
+  const std::uint64_t forOutputs = forGroups +
+    static_cast<std::uint64_t>(this->MaximumPhotons) * PhotonTransport::StoredPhotonNeed;
   const std::uint64_t memoryLimit = this->MemoryLimitInBytes();
-  if (!this->Kept || this->Kept->MadeFrom != origins || !this->Kept->Run.CanGoOnTo(photons) ||
-    this->Kept->IsCoarseForAnother(this->MemoryLimit))
+  const bool goesOn = this->Kept && this->Kept->MadeFrom == origins &&
+    this->Kept->Run.CanGoOnTo(photons) && !this->Kept->IsCoarseForAnother(this->MemoryLimit);
+  if (this->GetRanks().Any(!goesOn)) // ranks may each have their own reason
   {
     this->Kept.reset(); // first, so that two never share the memory
-    const PhotonTransport::Surface surface = this->CurvedSurface
-      ? PhotonTransport::CurvedSurface(
-          blocks.Surface(), PhotonTransport::MostRefinedFacets(memoryLimit))
-      : blocks.Surface();
-    const std::uint64_t needOfRun = PhotonTransport::MemoryNeed(surface, lighting, settings);
-    const std::uint64_t need = needOfRun + forGroups;
+    PhotonTransport::Surface curved;
+    if (this->CurvedSurface)
+    {
+      curved = PhotonTransport::CurvedSurface(
+        blocks.Surface(), this->GetRanks().Least(PhotonTransport::MostRefinedFacets(memoryLimit)));
+    }
+    const PhotonTransport::Surface& surface = this->CurvedSurface ? curved : blocks.Surface();
+    PhotonTransport::TraceSettings ofMemory = settings;
+    if (this->GetRanks().AreSeveral()) // which keep what is not yet added up, as a thread does
+    {
+      ofMemory.threads = PhotonTransport::ThreadCount(settings.threads) + 1;
+    }
+    const std::uint64_t needOfRun = PhotonTransport::MemoryNeed(surface, lighting, ofMemory);
+    const std::uint64_t need = needOfRun + forOutputs;
     PhotonTransport::RequireMemory(need, memoryLimit);
     const std::string text =
       "Building the scene, up to " + std::to_string(need >> 20) + " MiB of memory";
@@ -253,31 +252,10 @@ std::uint64_t vtkIlluminationMap::PrepareRun(const SceneBlocks& blocks,
     this->Kept =
       std::make_unique<KeptRun>(surface, lighting, settings, std::move(origins), needOfRun);
     this->Kept->MemoryLimit = this->MemoryLimit;
+    if (surface.IsRefined())
+    {
+      this->Kept->Curved = std::move(curved);
+    }
   }
-  return this->Kept->MemoryNeed + forGroups;
-}
-
-void vtkIlluminationMap::WriteMap(const SceneBlocks& blocks,
-  const PhotonTransport::Lighting& lighting, PhotonTransport::StopReason reason,
-  vtkInformationVector* outputs)
-{
-  const PhotonTransport::IlluminationRun& run = this->Kept->Run;
-  AddPointArrays(blocks, this->Kept->Scene, run,
-    { this->RegisterBackSide, this->GroupMeans, this->LampContributions ? &lighting : nullptr });
-  const MissingLight missing = FindMissingLight(
-    { blocks, lighting, run, this->RegisterBackSide, this->MetresPerUnit }, reason);
-  std::vector<std::string> notes = NotesOn(blocks, this->Kept->Scene);
-  notes.insert(notes.end(), missing.notes.begin(), missing.notes.end());
-  const std::vector<std::string> onFiles = NotesOn(lighting);
-  notes.insert(notes.end(), onFiles.begin(), onFiles.end());
-  AddFieldData(vtkDataObject::GetData(outputs)->GetFieldData(), run, reason, notes);
-  FillAccuracyTable(vtkTable::GetData(outputs, 1), run.Rounds());
-  for (const std::string& warning : WarningsOn(blocks, this->Kept->Scene))
-  {
-    vtkWarningMacro(<< warning);
-  }
-  if (!missing.warning.empty())
-  {
-    vtkWarningMacro(<< missing.warning);
-  }
+  return this->Kept->MemoryNeed + forOutputs;
 }

@@ -7,7 +7,8 @@
  * light that arrives there, directly and after any number of reflections. Hits are registered on
  * the vertices of the facet they land on. Two of the three registrations compensate for the
  * difference between the flat facet and the curved surface that the point normals describe (B.
- * Barladian, "Indirect illumination on curve surfaces").
+ * Barladian, "Indirect illumination on curve surfaces"). With Method FINAL_GATHERING a second pass
+ * finds the light at the points themselves, from what the photons have lit.
  *
  * The input is a vtkPolyData, or a composite data set whose vtkPolyData blocks form one scene
  * together. Polygons and strips count as the triangles they are made of; vertices and lines stay
@@ -20,46 +21,79 @@
  *  - Illuminance (lx = lm/m^2): what arrives on the front; IlluminanceDirect + IlluminanceIndirect.
  *  - IlluminanceDirect (lx): light straight from the lamps or through thin panes.
  *  - IlluminanceIndirect (lx): all other light.
+ *  - IlluminanceCaustic (lx), with FINAL_GATHERING: the part of IlluminanceIndirect that only
+ *    mirrors, gloss and glass have sent there.
  *  - StandardError (lx): the noise of Illuminance, from eight independent replicates; where fewer
  *    than 30 photons have hit, at least what their number says. The size of facets is not in it.
+ *    With FINAL_GATHERING it is that of the rays and of the photons that lit what they find.
+ *  - FacetError (lx), with PHOTON_TRACING: how far the value at the point, a mean over the facets
+ *    around it, may be from the light at the point itself. An estimate from the map: its RMS over a
+ *    wall or a body is within a factor of two of the true one where that exceeds the noise.
  *  - RelativeError: StandardError / Illuminance; 1 where no light came, 0 at a point without a
  *    triangle.
  *  - IlluminanceRGB (lx, 3 components): by colour, if the scene has any. White light has three
  *    equal components, and 0.2126 R + 0.7152 G + 0.0722 B is Illuminance.
  *  - Illuminance_<name> (lx): from one luminaire, with LampContributions. A luminaire without a
  *    name, or whose name is taken, gets one, such as "Lamp 2" or "Spot (2)".
+ *  - StandardErrorRGB (lx, 3 components), StandardError_<name> (lx): the noise of these two, with
+ *    PHOTON_TRACING, from that of Illuminance and the part's share in the light (PartErrors.h),
+ *    rather too large than too small.
  *  - IlluminanceBack, StandardErrorBack (lx): what arrives on the back, with RegisterBackSide.
- *  - PhotonHits (vtkIdType): photons that hit the front of a facet around the point.
- *  - IlluminanceDirectGroups, IlluminanceIndirectGroups (lx, 4 components): with GroupMeans.
+ *  - PhotonHits (vtkIdType), with PHOTON_TRACING: photons that hit the front of a facet around the
+ *    point.
+ *  - IlluminanceDirectGroups, IlluminanceIndirectGroups (lx, 4 components): with GroupMeans and
+ *    PHOTON_TRACING.
  *
  * It has these field data arrays:
- *  - PhotonsEmitted = PhotonsAbsorbed + PhotonsEscaped + PhotonsCutOff.
+ *  - PhotonsEmitted = PhotonsAbsorbed + PhotonsEscaped + PhotonsCutOff + PhotonsHandedOver +
+ *    PhotonsBlocked. The last two are 0 unless daylight comes through openings with PHOTON_TRACING:
+ *    photons of the sky or the sun that came to an opening, whose light starts there, and photons
+ *    that were to start there and have no light from where they would have come.
  *  - EmittedFlux (lm), of which FluxOnFronts and FluxOnBacks (lm) first arrived on a front or on a
  *    back that lets no light through, and FluxEscaped (lm) left the scene before.
  *  - FluxCutByWeightBound, FluxSwitchedOff (lm).
  *  - Seconds, PhotonsPerSecond, SegmentsPerSecond; MemoryNeeded (bytes, at most).
  *  - PredictedPhotons, PredictedSeconds: what the run takes to reach a TargetRelativeError.
  *  - StoppedBy, Effects (which are on or off, and why), IlluminationMapsVersion (text).
- *  - Notes (text): what was found in the input and mended or left out, what light is missing, and
- *    what was assumed of photometric files.
+ *  - IlluminationMapSettings (text): the properties on which the scene and its light depend, for
+ *    filters that go on with it: vtkIlluminanceSensors, vtkIlluminatedAppearance.
+ *  - Notes (text): what was found in the input and mended or left out, through which openings
+ *    daylight comes, what light is missing, and what was assumed of photometric files. Warnings
+ *    (text): those of the run.
  *
  * A warning says what to do if much of a lamp's light fell on backs or met nothing, or if facets
  * are too close together or too small to be told apart.
  *
- * The second output is a vtkTable with a row for each round of the run: Photons, Seconds,
- * RelativeError (as TargetRelativeError means it), MedianRelativeError and
+ * The second output is a vtkTable with a row for each round of the run: Photons, GatherRays (for
+ * each point; 0 with PHOTON_TRACING), Seconds, RelativeError (as TargetRelativeError means it),
+ * RelativeFacetError (the facets' part of it, with CountFacetError), MedianRelativeError and
  * Percentile95RelativeError (over the points that light reached), SegmentsPerSecond,
- * PredictedPhotons, PredictedSeconds.
+ * PredictedPhotons, PredictedSeconds, and with a region (AccuracyRegionArray) RegionRelativeError,
+ * RegionMedianRelativeError and RegionPercentile95RelativeError, which are 1 in rounds before the
+ * region was chosen.
+ *
+ * The third output is a vtkPolyData, the photon map: a vertex for each hit of the first photons, up
+ * to MaximumPhotons hits, in the order of photons and along each path. Point arrays: Flux (lm),
+ * Direction (unit, in which the photon flew), Luminaire (its number, from 0), Scatterings (before
+ * this hit), Side (1: front, -1: back), OriginalCellIds, with blocks BlockIndex (flat index), with
+ * colours FluxRGB (lm). The sum of Flux over a surface is the flux that arrives there; if all
+ * photons are stored, it is that of the map with FLAT. Where surfaces share their place, a photon
+ * hits the one whose material counts. Field arrays: PhotonsFollowed, the number of photons that the
+ * hits are of, and LuminaireNames. The fourth output, a vtkPolyData, has the paths of the first
+ * PhotonPaths photons as polylines, from the lamp on; those that left the scene end a little beyond
+ * their last hit. Point array: Scatterings (before this point). Cell arrays: Luminaire, Escaped (0
+ * or 1), with colours Channel (0 to 2).
  *
  * If fluxes are given in watts instead of lumens, the result is irradiance in W/m^2.
  *
  * The result is a function of the input and the properties alone, but for TimeLimit, an abort, and
  * CurvedSurface where memory is too short for its parts: they are then coarser, as Effects says.
- * It has the same bits for any NumberOfThreads. If only Photons, TargetRelativeError, TimeLimit,
- * MemoryLimit or GroupMeans change, and Photons is no less than what has been traced, the run goes
- * on from what it has; its result has the bits of a run to as many photons in one go. Bad input
- * gives one error that names the array, the cell or point and the value, and the input passes
- * through without the arrays.
+ * It has the same bits for any NumberOfThreads. If only Photons, TargetRelativeError,
+ * the accuracy region, CountFacetError, TimeLimit, MemoryLimit, GroupMeans, MaximumPhotons or
+ * PhotonPaths change, and Photons is no less than what has been traced, the run goes on from what
+ * it has; its result has the bits of a run to as many photons in one go. Bad input gives one error
+ * that names the array, the cell or point and the value, and the input passes through without the
+ * arrays.
  */
 
 #ifndef vtkIlluminationMap_h
@@ -69,23 +103,29 @@
 #include "vtkSurfaceAlgorithm.h"
 #include "vtkTimeStamp.h" // for when a run must start anew
 
-#include <cstdint> // for bytes
-#include <memory>  // for the kept run
-#include <string>  // for array names
-#include <vector>  // for luminaires
+#include <cstdint>  // for bytes
+#include <memory>   // for the kept run
+#include <optional> // for a refined map
+#include <set>      // for block numbers
+#include <string>   // for array names
+#include <vector>   // for luminaires
 
+class vtkFieldData;
 class vtkTable;
 
 namespace Illumination
 {
 class SceneBlocks;
+struct KeptRun;
 struct LuminaireInput;
 struct SurfaceDescription;
 }
 
 namespace PhotonTransport
 {
+struct AdaptiveLimits;
 struct Lighting;
+struct RefinedMap;
 struct StopRules;
 struct TraceSettings;
 enum class StopReason : int;
@@ -107,7 +147,8 @@ public:
 
   /**
    * The next execution starts anew, whatever has changed. Only the setters of Photons,
-   * TargetRelativeError, TimeLimit, GroupMeans and MemoryLimit let the run go on.
+   * TargetRelativeError, the accuracy region, CountFacetError, TimeLimit, GroupMeans, MemoryLimit,
+   * MaximumPhotons, PhotonPaths and those of the refinement let the run go on.
    */
   void Modified() override;
 
@@ -120,6 +161,12 @@ public:
     RECTANGLE = 4,        ///< A Lambertian panel; it stops no light itself.
     DISK = 5,             ///< As RECTANGLE, round.
     EMITTING_FACETS = 6   ///< The input's own cells, by ExitanceArray.
+  };
+
+  enum Methods
+  {
+    PHOTON_TRACING = 0, ///< Photons register at the points: a point has a mean over its facets.
+    FINAL_GATHERING = 1 ///< A second pass gathers at the points what photons have lit.
   };
 
   enum Registrations
@@ -291,7 +338,70 @@ public:
 
   ///@{
   /**
-   * How hits are registered, see Registrations. Default: VERTEX_NORMALISED.
+   * How the map is made, see Methods. With FINAL_GATHERING the value of a point is that at the
+   * point itself, whatever the size of facets: light straight from the lamps, caustics (light that
+   * only mirrors, gloss and glass have sent there, IlluminanceCaustic), which photons bring, and
+   * light that rays gather from diffuse surfaces, as photons have lit them. Registration then
+   * concerns caustics alone, and GroupMeans has no effect. Default: PHOTON_TRACING.
+   */
+  vtkSetClampMacro(Method, int, PHOTON_TRACING, FINAL_GATHERING);
+  vtkGetMacro(Method, int);
+  ///@}
+
+  ///@{
+  /**
+   * Rays that gather light for each point and side with FINAL_GATHERING, about; 16 to 16384, or 0
+   * for as many as suit the photons: 254 for a million. Default: 0.
+   */
+  vtkSetMacro(GatherRays, int);
+  vtkGetMacro(GatherRays, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the output's surface is refined where the light between its points is not what linear
+   * interpolation shows, with FINAL_GATHERING: shadows get their borders on a wall of two
+   * triangles. Light is received at the middles of edges, and an edge is halved if it misses there
+   * by more than RefinementTolerance and by more than four standard errors, down to edges that are
+   * as short as the square of the tolerance asks for at a hard shadow's border. Details are looked
+   * for about every forty-eighth of the scene, and more closely where the surface sees something
+   * near. Rays see the surface as it is; with CurvedSurface the output is the surface that is
+   * traced, further refined. The input's points come first, with the values that they have without
+   * it. Other arrays are carried over as by vtkSurfaceRefinement; IlluminanceCaustic is
+   * interpolated. Cells that are marked as duplicates stay whole. A time limit does not count it.
+   * Default: off.
+   */
+  virtual void SetAdaptiveRefinement(bool on) { this->SetAndKeepRun(this->AdaptiveRefinement, on); }
+  vtkGetMacro(AdaptiveRefinement, bool);
+  vtkBooleanMacro(AdaptiveRefinement, bool);
+  ///@}
+
+  ///@{
+  /**
+   * By how much linear interpolation may miss the light at the middle of an edge, relative to the
+   * light there or, where that is darker, to a tenth of the map's mean; > 0. Default: 0.05.
+   */
+  virtual void SetRefinementTolerance(double tolerance)
+  {
+    this->SetAndKeepRun(this->RefinementTolerance, tolerance);
+  }
+  vtkGetMacro(RefinementTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Triangles of the refined surface at most, 1 to 1e9, and no more than fit the memory, at about 1
+   * KiB each. If more were wanted, edges with the greatest errors are halved first, and a warning
+   * says so. Default: 1000000.
+   */
+  virtual void SetMaximumCells(int cells) { this->SetAndKeepRun(this->MaximumCells, cells); }
+  vtkGetMacro(MaximumCells, int);
+  ///@}
+
+  ///@{
+  /**
+   * How hits are registered, see Registrations; with FINAL_GATHERING those of caustics alone.
+   * Default: VERTEX_NORMALISED.
    */
   vtkSetClampMacro(Registration, int, FLAT, VERTEX_NORMALISED);
   vtkGetMacro(Registration, int);
@@ -313,15 +423,57 @@ public:
   ///@{
   /**
    * The relative error to stop at, unless Photons or TimeLimit are reached before: the
-   * area-weighted RMS of StandardError over the area-weighted mean of Illuminance; >= 0. 0 is no
-   * target, 0.02 is 2 %. If none of 2^20 photons registers on a front, no target can be met, and
-   * the run ends. Default: 0.
+   * area-weighted RMS of StandardError over the area-weighted mean of Illuminance, both over the
+   * whole surface or over the cells of AccuracyRegionArray; >= 0. 0 is no target, 0.02 is 2 %. If
+   * none of 2^20 photons registers on a front, no target can be met, and the run ends. Default: 0.
    */
   virtual void SetTargetRelativeError(double error)
   {
     this->SetAndKeepRun(this->TargetRelativeError, error);
   }
   vtkGetMacro(TargetRelativeError, double);
+  ///@}
+
+  ///@{
+  /**
+   * Name of a cell array of one number a cell that says where accuracy counts: cells whose value is
+   * not 0 are the region in which TargetRelativeError is to be met, such as a room with a bright
+   * ground outside. Blocks without the array are not in the region. Empty or "None": accuracy
+   * counts everywhere, or in all cells of the AccuracyRegionBlocks. Default: empty.
+   */
+  virtual void SetAccuracyRegionArray(const char* name);
+  vtkGetCharFromStdStringMacro(AccuracyRegionArray);
+  ///@}
+
+  ///@{
+  /**
+   * Flat indices of the blocks of a composite data set in which accuracy counts, each with all
+   * blocks below it; of their cells those that AccuracyRegionArray chooses, if it is set. Each
+   * index must exist. If none is added, all blocks count. They are not used for a single surface.
+   * Default: none.
+   */
+  void AddAccuracyRegionBlock(int flatIndex);
+  void RemoveAllAccuracyRegionBlocks();
+  int GetNumberOfAccuracyRegionBlocks() const
+  {
+    return static_cast<int>(this->AccuracyRegionBlocks.size());
+  }
+  bool HasAccuracyRegionBlock(int flatIndex) const
+  {
+    return this->AccuracyRegionBlocks.count(flatIndex) != 0;
+  }
+  ///@}
+
+  ///@{
+  /**
+   * Count FacetError in TargetRelativeError: the error at each point is then the root of
+   * StandardError^2 + FacetError^2. A run that can't reach the target since FacetError alone is
+   * more ends as soon as that is known, and StoppedBy says so. Without effect with FINAL_GATHERING.
+   * Default: off.
+   */
+  virtual void SetCountFacetError(bool on) { this->SetAndKeepRun(this->CountFacetError, on); }
+  vtkGetMacro(CountFacetError, bool);
+  vtkBooleanMacro(CountFacetError, bool);
   ///@}
 
   ///@{
@@ -449,11 +601,29 @@ public:
    * Whether the output has the arrays with which vtkIlluminationMapSmoothing works best: the maps
    * as means over each of four groups of photons, IlluminanceDirectGroups and
    * IlluminanceIndirectGroups (lx, 4 components). They take no more tracing, and 64 bytes a point.
-   * Default: off.
+   * With FINAL_GATHERING there are none. Default: off.
    */
   virtual void SetGroupMeans(bool on) { this->SetAndKeepRun(this->GroupMeans, on); }
   vtkGetMacro(GroupMeans, bool);
   vtkBooleanMacro(GroupMeans, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Hits that the third output, the photon map, has at most, >= 0; 0: none. They are those of the
+   * first photons, as many as have no more hits together; these are followed once more, which the
+   * run itself does not notice. A hit takes about 0.3 KB of memory. Default: 0.
+   */
+  virtual void SetMaximumPhotons(int hits) { this->SetAndKeepRun(this->MaximumPhotons, hits); }
+  vtkGetMacro(MaximumPhotons, int);
+  ///@}
+
+  ///@{
+  /**
+   * Photons whose paths the fourth output has, 0 to 10000. Default: 0.
+   */
+  virtual void SetPhotonPaths(int photons) { this->SetAndKeepRun(this->PhotonPaths, photons); }
+  vtkGetMacro(PhotonPaths, int);
   ///@}
 
   ///@{
@@ -517,6 +687,25 @@ public:
   vtkGetMacro(MemoryLimit, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether a window, which calls GetNeedsUpdate now and then, gets a first map of 65,536 photons
+   * at once, and a better one at each doubling of the photons while the run goes on in the
+   * background. StoppedBy, of the field data, then says that the run goes on. The last map has the
+   * bits of a run without this. Scripts, which do not call GetNeedsUpdate, and several ranks get
+   * the last map alone. Default: on.
+   */
+  virtual void SetProgressive(bool on) { this->SetAndKeepRun(this->Progressive, on); }
+  vtkGetMacro(Progressive, bool);
+  vtkBooleanMacro(Progressive, bool);
+  ///@}
+
+  /**
+   * Whether there is a better map than that of the last update, which the next update gives out. A
+   * run that is not asked for a second pauses until it is asked again.
+   */
+  bool GetNeedsUpdate();
+
 protected:
   vtkIlluminationMap();
   ~vtkIlluminationMap() override;
@@ -548,10 +737,18 @@ protected:
   bool UseMaterialArrays = true;
   std::string ReflectanceArray;
   std::string ExitanceArray;
+  int Method = PHOTON_TRACING;
+  int GatherRays = 0;
+  bool AdaptiveRefinement = false;
+  double RefinementTolerance = 0.05;
+  int MaximumCells = 1000000;
   int Registration = VERTEX_NORMALISED;
   vtkIdType Photons = 1000000;
   double PhotonsAsDouble = 1e6;
   double TargetRelativeError = 0.0;
+  std::string AccuracyRegionArray;
+  std::set<int> AccuracyRegionBlocks;
+  bool CountFacetError = false;
   double TimeLimit = 0.0;
   int Seed = 1;
   int Sampling = SOBOL;
@@ -566,14 +763,20 @@ protected:
   bool RegisterBackSide = false;
   bool CurvedSurface = false;
   bool GroupMeans = false;
+  int MaximumPhotons = 0;
+  int PhotonPaths = 0;
   double MetresPerUnit = 1.0;
   double FeatureAngle = 30.0;
   int NumberOfThreads = 0;
   double WeightBound = 16.0;
   int MaximumPathLength = 10000;
   double MemoryLimit = 0.0;
+  bool Progressive = true;
 
 private:
+  // Which need the scene and the light of a map.
+  friend class vtkIlluminanceSensors;
+  friend class vtkIlluminatedAppearance;
   vtkIlluminationMap(const vtkIlluminationMap&) = delete;
   void operator=(const vtkIlluminationMap&) = delete;
 
@@ -583,17 +786,33 @@ private:
   PhotonTransport::Lighting MakeLighting(const Luminaires& luminaires);
   PhotonTransport::TraceSettings MakeTraceSettings();
   PhotonTransport::StopRules MakeStopRules();
+  PhotonTransport::AdaptiveLimits MakeAdaptiveLimits();
   Illumination::SurfaceDescription DescribeSurface(bool otherLamps);
   std::uint64_t MemoryLimitInBytes(); ///< 0 for what the machine has.
+
+  /// Adds the properties on which the scene and its light depend as field data.
+  /// @param ownLamp Whether the light is that of the filter's own lamp.
+  void RememberSettings(vtkFieldData* output, bool ownLamp);
+  /// Sets them as they were when a map was made. @return Whether the field data hold any.
+  bool RecallSettings(vtkFieldData* output, bool& ownLamp);
 
   /// Builds the scene and a run on it, unless the kept run can go on to so many photons.
   /// @param origins When data and filter last changed. @return Bytes that the run takes at most.
   std::uint64_t PrepareRun(const Illumination::SceneBlocks& blocks,
     const PhotonTransport::Lighting& lighting, std::vector<vtkMTimeType> origins,
     std::uint64_t photons);
+  PhotonTransport::StopReason AdvanceRun(const PhotonTransport::StopRules& rules);
+  void StartBackground(PhotonTransport::StopRules rules);
+  void StopBackground();
+  /// The map of the kept run on a refined surface; nothing if that is not asked for.
+  std::optional<PhotonTransport::RefinedMap> RefineMap(const Illumination::SceneBlocks& blocks);
   /// Puts what the kept run has found into the outputs, and warns of what is amiss.
   void WriteMap(const Illumination::SceneBlocks& blocks, const PhotonTransport::Lighting& lighting,
     PhotonTransport::StopReason reason, vtkInformationVector* outputs);
+
+  /// Fills the third and the fourth output.
+  void WritePhotons(const Illumination::SceneBlocks& blocks,
+    const PhotonTransport::Lighting& lighting, vtkInformationVector* outputs);
 
   template <typename Value>
   void SetAndKeepRun(Value& property, Value value)
@@ -605,9 +824,9 @@ private:
     }
   }
 
-  struct KeptRun;
-  std::unique_ptr<KeptRun> Kept; ///< To go on from.
-  vtkTimeStamp RunChanged;       ///< When something changed that a run can't go on after.
+  std::unique_ptr<Illumination::KeptRun> Kept; ///< To go on from.
+  bool IsWatched = false;  ///< By a window, which asks whether there is a better map.
+  vtkTimeStamp RunChanged; ///< When something changed that a run can't go on after.
 };
 
 #endif

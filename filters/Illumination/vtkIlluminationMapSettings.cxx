@@ -5,17 +5,18 @@
 #include "Illumination/luminaires/LampProperties.h"
 #include "Illumination/luminaires/LuminaireFields.h"
 #include "Illumination/luminaires/LuminaireInput.h"
+#include "Illumination/luminaires/LuminaireNames.h"
 #include "Illumination/pipeline/InputError.h"
 #include "Illumination/pipeline/Pipeline.h"
 #include "Illumination/surface/SurfaceDescription.h"
 
+#include "PhotonTransport/adaptive/AdaptiveLimits.h"
 #include "PhotonTransport/lights/Lamp.h"
 #include "PhotonTransport/transport/IlluminationRun.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 #include <sstream>
 #include <type_traits>
 #include <utility>
@@ -68,36 +69,6 @@ PhotonTransport::Lamp LampOf(vtkIlluminationMap* filter)
       { "LuminaireIlluminance", [=](int) { return filter->GetParallelIlluminance(); } },
       { "SpotHalfAngle", [=](int) { return filter->GetSpotHalfAngle(); } },
       { "SpotExponent", [=](int) { return filter->GetSpotExponent(); } } }));
-}
-
-bool IsBlank(const std::string& name)
-{
-  return name.find_first_not_of(" \t\r\n") == std::string::npos;
-}
-
-/// Makes names unique and not blank, such as "Lamp 2" and "Spot (2)". The first luminaire with a
-/// given name keeps it.
-void GiveNames(std::vector<PhotonTransport::Luminaire>& luminaires)
-{
-  std::set<std::string> taken;
-  std::vector<std::size_t> rest;
-  for (std::size_t i = 0; i < luminaires.size(); ++i)
-  {
-    if (IsBlank(luminaires[i].name) || !taken.insert(luminaires[i].name).second)
-    {
-      rest.push_back(i);
-    }
-  }
-  for (const std::size_t i : rest)
-  {
-    std::string& name = luminaires[i].name;
-    const std::string wanted = IsBlank(name) ? "Lamp " + std::to_string(i + 1) : name;
-    name = wanted;
-    for (int copy = 2; !taken.insert(name).second; ++copy)
-    {
-      name = wanted + " (" + std::to_string(copy) + ")";
-    }
-  }
 }
 
 /// The material of cells that no array describes.
@@ -179,6 +150,9 @@ PhotonTransport::TraceSettings vtkIlluminationMap::MakeTraceSettings()
   PhotonTransport::TraceSettings settings;
   settings.seed = static_cast<std::uint32_t>(this->Seed);
   settings.sampling = static_cast<PhotonTransport::Sampling>(this->Sampling);
+  settings.method = static_cast<PhotonTransport::Method>(this->Method);
+  settings.gatherRays =
+    this->GatherRays == 0 ? 0 : Count<std::uint32_t>(this->GatherRays, "number of gather rays");
   settings.registration = static_cast<PhotonTransport::Registration>(this->Registration);
   settings.scatterings = SwitchedOn(this);
   settings.colour = this->Colour;
@@ -203,8 +177,18 @@ PhotonTransport::StopRules vtkIlluminationMap::MakeStopRules()
   }
   rules.photons = Count<std::uint64_t>(this->Photons, "number of photons");
   rules.relativeError = this->TargetRelativeError;
+  rules.countFacetError = this->CountFacetError;
   rules.seconds = this->TimeLimit;
   return rules;
+}
+
+PhotonTransport::AdaptiveLimits vtkIlluminationMap::MakeAdaptiveLimits()
+{
+  PhotonTransport::AdaptiveLimits limits;
+  limits.tolerance = this->RefinementTolerance;
+  limits.facets = Count<std::uint64_t>(this->MaximumCells, "MaximumCells");
+  Validate(limits);
+  return limits;
 }
 
 std::uint64_t vtkIlluminationMap::MemoryLimitInBytes()
@@ -268,9 +252,17 @@ void vtkIlluminationMap::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "UseMaterialArrays: " << this->UseMaterialArrays << "\n"
      << indent << "ReflectanceArray: " << this->ReflectanceArray << "\n"
      << indent << "ExitanceArray: " << this->ExitanceArray << "\n"
+     << indent << "Method: " << this->Method << "\n"
+     << indent << "GatherRays: " << this->GatherRays << "\n"
+     << indent << "AdaptiveRefinement: " << this->AdaptiveRefinement << "\n"
+     << indent << "RefinementTolerance: " << this->RefinementTolerance << "\n"
+     << indent << "MaximumCells: " << this->MaximumCells << "\n"
      << indent << "Registration: " << this->Registration << "\n"
      << indent << "Photons: " << this->Photons << "\n"
      << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"
+     << indent << "AccuracyRegionArray: " << this->AccuracyRegionArray << "\n"
+     << indent << "AccuracyRegionBlocks: " << this->AccuracyRegionBlocks.size() << "\n"
+     << indent << "CountFacetError: " << this->CountFacetError << "\n"
      << indent << "TimeLimit: " << this->TimeLimit << "\n"
      << indent << "Seed: " << this->Seed << "\n"
      << indent << "Sampling: " << this->Sampling << "\n"
@@ -285,6 +277,8 @@ void vtkIlluminationMap::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "RegisterBackSide: " << this->RegisterBackSide << "\n"
      << indent << "CurvedSurface: " << this->CurvedSurface << "\n"
      << indent << "GroupMeans: " << this->GroupMeans << "\n"
+     << indent << "MaximumPhotons: " << this->MaximumPhotons << "\n"
+     << indent << "PhotonPaths: " << this->PhotonPaths << "\n"
      << indent << "MetresPerUnit: " << this->MetresPerUnit << "\n"
      << indent << "FeatureAngle: " << this->FeatureAngle << "\n"
      << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n"

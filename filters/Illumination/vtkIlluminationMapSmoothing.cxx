@@ -5,6 +5,7 @@
 #include "Illumination/pipeline/FieldArrays.h"
 #include "Illumination/pipeline/InputError.h"
 #include "Illumination/pipeline/Pipeline.h"
+#include "Illumination/ranks/ControllerRanks.h"
 
 #include "PhotonTransport/filtration/Filtration.h"
 #include "PhotonTransport/scene/InvalidInput.h"
@@ -48,7 +49,7 @@ Maps ReadMaps(const MapBlocks& blocks, const std::string& map, const std::string
   Maps maps;
   if (map == "Illuminance" && blocks.Have("PhotonHits"))
   {
-    maps.hits = blocks.Values("PhotonHits");
+    maps.hits = blocks.OfVertices(blocks.Values("PhotonHits"));
   }
   const std::string direct = map + "Direct";
   const std::string indirect = map + "Indirect";
@@ -56,17 +57,21 @@ Maps ReadMaps(const MapBlocks& blocks, const std::string& map, const std::string
   {
     for (const std::string& part : { direct, indirect })
     {
-      maps.parts.push_back({ part, blocks.Values(part), blocks.Groups(part + "Groups"), {} });
+      maps.parts.push_back({ part, blocks.OfVertices(blocks.Values(part)),
+        blocks.OfVertices(blocks.Groups(part + "Groups")), {} });
     }
     maps.note = "direct and indirect light by the differences between four groups of photons";
     return maps;
   }
-  maps.parts.push_back({ map, blocks.Values(map), {}, {} });
+  maps.parts.push_back({ map, blocks.OfVertices(blocks.Values(map)), {}, {} });
   if (!standardError.empty() && blocks.Have(standardError))
   {
-    maps.parts.front().standardError = blocks.Values(standardError);
-    maps.note = "by the array '" + standardError +
-      "'; GroupMeans of Illumination Map, switched on, would give a better result";
+    maps.parts.front().standardError = blocks.OfVertices(blocks.Values(standardError));
+    maps.note = "by the array '" + standardError + "'";
+    if (!blocks.Have(map + "Caustic")) // maps by Final Gathering have one, and no group means
+    {
+      maps.note += "; GroupMeans of Illumination Map, switched on, would give a better result";
+    }
   }
   else
   {
@@ -79,8 +84,10 @@ Maps ReadMaps(const MapBlocks& blocks, const std::string& map, const std::string
 void AddMaps(const MapBlocks& blocks, const std::string& name, const Maps& maps,
   const std::vector<FilteredMap>& filtered)
 {
-  const auto add = [&](const std::string& array, auto values)
+  // Points without a triangle keep their light.
+  const auto add = [&](const std::string& array, const auto& ofVertices, auto others)
   {
+    auto values = blocks.OfPoints(ofVertices, std::move(others));
     blocks.CopyToGhosts(values);
     blocks.ForEachPart(values,
       [&](const MapBlocks::Block& block, const auto& own)
@@ -96,11 +103,12 @@ void AddMaps(const MapBlocks& blocks, const std::string& name, const Maps& maps,
       error[p] = std::hypot(error[p], std::sqrt(part.squaredError[p]));
     }
   }
-  add(name + "Smoothed", total);
-  add("StandardErrorSmoothed", error);
+  const std::vector<double> none;
+  add(name + "Smoothed", total, blocks.Values(name));
+  add("StandardErrorSmoothed", error, none);
   if (filtered.size() == 1)
   {
-    add("SmoothingScale", filtered.front().width);
+    add("SmoothingScale", filtered.front().width, std::vector<float>());
     return;
   }
   std::vector<std::array<double, 2>> widths(total.size());
@@ -108,10 +116,10 @@ void AddMaps(const MapBlocks& blocks, const std::string& name, const Maps& maps,
   {
     widths[p] = { filtered[0].width[p], filtered[1].width[p] };
   }
-  add("SmoothingScale", widths);
+  add("SmoothingScale", widths, std::vector<std::array<double, 2>>());
   for (std::size_t i = 0; i < filtered.size(); ++i)
   {
-    add(maps.parts[i].name + "Smoothed", filtered[i].values);
+    add(maps.parts[i].name + "Smoothed", filtered[i].values, blocks.Values(maps.parts[i].name));
   }
 }
 
@@ -131,6 +139,36 @@ PhotonTransport::FiltrationSettings SettingsOf(vtkIlluminationMapSmoothing* filt
   return settings;
 }
 
+/// Empty if it was stopped.
+std::vector<FilteredMap> Smoothed(vtkIlluminationMapSmoothing* filter, const MapBlocks& blocks,
+  const Maps& maps, const PhotonTransport::FiltrationSettings& settings)
+{
+  std::vector<FilteredMap> filtered;
+  PhotonTransport::Threads threads(settings.threads);
+  try
+  {
+    threads.Run(
+      [&]
+      {
+        const PhotonTransport::SmoothingGraph graph(blocks.Vertices(), blocks.Facets(),
+          vtkMath::RadiansFromDegrees(filter->GetFeatureAngle()));
+        filtered = Filtrate(graph, maps.parts, maps.hits, settings,
+          [report = ProgressReport(filter)](double share) mutable
+          {
+            if (!report(share, "Smoothing"))
+            {
+              throw Aborted();
+            }
+          });
+      });
+  }
+  catch (const Aborted&)
+  {
+    filtered.clear();
+  }
+  return filtered;
+}
+
 } // namespace
 
 void vtkIlluminationMapSmoothing::Execute(
@@ -143,34 +181,19 @@ void vtkIlluminationMapSmoothing::Execute(
   const Maps maps = ReadMaps(blocks, this->IlluminanceArray, ArrayName(this->StandardErrorArray));
   try
   {
-    std::vector<FilteredMap> filtered;
-    PhotonTransport::Threads threads(settings.threads);
-    threads.Run(
-      [&]
-      {
-        const PhotonTransport::SmoothingGraph graph(
-          blocks.Points(), blocks.Facets(), vtkMath::RadiansFromDegrees(this->FeatureAngle));
-        filtered = Filtrate(graph, maps.parts, maps.hits, settings,
-          [report = ProgressReport(this)](double share) mutable
-          {
-            if (!report(share, "Smoothing"))
-            {
-              throw Aborted();
-            }
-          });
-      });
+    const std::vector<FilteredMap> filtered = Smoothed(this, blocks, maps, settings);
+    if (this->GetRanks().Any(filtered.empty()))
+    {
+      return; // The input passes through.
+    }
     AddMaps(blocks, this->IlluminanceArray, maps, filtered);
     const std::vector<std::string> notes{ "smoothed " + maps.note };
     AddArray(output->GetFieldData(), "SmoothingNotes", notes);
   }
-  catch (const Aborted&)
-  {
-    // The input passes through.
-  }
   catch (const PhotonTransport::InvalidInput& error)
   {
     const bool atPoint = error.Kind == PhotonTransport::InvalidInput::Where::Point;
-    throw InputError((atPoint ? blocks.NameOfPoint(error.Index) + ": " : "") + error.what());
+    throw InputError((atPoint ? blocks.NameOfVertex(error.Index) + ": " : "") + error.what());
   }
 }
 

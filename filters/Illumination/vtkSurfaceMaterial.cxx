@@ -3,17 +3,16 @@
 
 #include "Illumination/materials/MaterialCells.h"
 #include "Illumination/materials/MaterialPresets.h"
+#include "Illumination/materials/OpeningCells.h"
 #include "Illumination/pipeline/InputError.h"
 #include "Illumination/pipeline/Pipeline.h"
+#include "Illumination/surface/ChosenBlocks.h"
 #include "Illumination/surface/InputChecks.h"
 
 #include "vtkDataArray.h"
-#include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <sstream>
@@ -24,91 +23,13 @@ using namespace Illumination;
 vtkStandardNewMacro(vtkSurfaceMaterial);
 
 static_assert(static_cast<int>(MaterialPreset::WhitePaint) == vtkSurfaceMaterial::WHITE_PAINT &&
-  static_cast<int>(MaterialPreset::FrostedGlass) == vtkSurfaceMaterial::FROSTED_GLASS);
+  static_cast<int>(MaterialPreset::Opening) == vtkSurfaceMaterial::OPENING);
 
 namespace
 {
 
-/// A surface of the output.
-struct Block
-{
-  vtkPolyData* data;
-  std::string name; ///< " of block 2", or "" where there is only one.
-  bool chosen;
-};
-
-vtkSmartPointer<vtkDataObjectTreeIterator> AllNodes(vtkDataObjectTree* tree)
-{
-  auto it = vtk::TakeSmartPointer(tree->NewTreeIterator());
-  it->VisitOnlyLeavesOff();
-  it->SkipEmptyNodesOff();
-  it->InitTraversal();
-  return it;
-}
-
-int CountNodes(vtkDataObjectTree* tree)
-{
-  int count = 0;
-  for (auto it = AllNodes(tree); !it->IsDoneWithTraversal(); it->GoToNextItem())
-  {
-    ++count;
-  }
-  return count;
-}
-
-/// Flat indices number the nodes of the tree from the root, 0, each before those below it; empty
-/// ones count too.
-std::vector<Block> BlocksOf(vtkDataObjectTree* tree, const std::set<int>& chosen)
-{
-  const int last = CountNodes(tree);
-  for (const int block : chosen)
-  {
-    if (block < 0 || block > last)
-    {
-      throw InputError("there is no block " + std::to_string(block) +
-        "; the flat indices of the input's blocks are 0 to " + std::to_string(last));
-    }
-  }
-  std::vector<Block> blocks;
-  int chosenUntil = chosen.empty() || chosen.count(0) ? last : 0;
-  for (auto it = AllNodes(tree); !it->IsDoneWithTraversal(); it->GoToNextItem())
-  {
-    const int index = static_cast<int>(it->GetCurrentFlatIndex());
-    vtkDataObject* node = it->GetCurrentDataObject();
-    auto* branch = vtkDataObjectTree::SafeDownCast(node);
-    if (chosen.count(index))
-    {
-      chosenUntil = std::max(chosenUntil, index + (branch ? CountNodes(branch) : 0));
-    }
-    if (auto* data = vtkPolyData::SafeDownCast(node))
-    {
-      blocks.push_back({ data, " of block " + std::to_string(index), index <= chosenUntil });
-    }
-  }
-  return blocks;
-}
-
-std::vector<Block> BlocksOf(vtkDataObject* data, const std::set<int>& chosen)
-{
-  std::vector<Block> blocks;
-  if (auto* single = vtkPolyData::SafeDownCast(data))
-  {
-    blocks.push_back({ single, "", true });
-  }
-  else if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
-  {
-    blocks = BlocksOf(tree, chosen);
-  }
-  if (std::none_of(blocks.begin(), blocks.end(), [](const Block& block) { return block.chosen; }))
-  {
-    throw InputError(chosen.empty() ? "the input has no surface (vtkPolyData)"
-                                    : "none of the chosen blocks is a surface (vtkPolyData)");
-  }
-  return blocks;
-}
-
 /// A flag for each cell. @param cellArray Empty for all cells of a chosen block.
-std::vector<bool> ChosenCells(const Block& block, const std::string& cellArray, double value)
+std::vector<bool> ChosenCells(const ChosenBlock& block, const std::string& cellArray, double value)
 {
   std::vector<bool> chosen(static_cast<std::size_t>(block.data->GetNumberOfCells()), block.chosen);
   if (block.chosen && !cellArray.empty())
@@ -145,6 +66,18 @@ PhotonTransport::Material MaterialOf(vtkSurfaceMaterial* filter)
   return material;
 }
 
+PhotonTransport::OpeningMark MarkOf(vtkSurfaceMaterial* filter)
+{
+  using PhotonTransport::OpeningMark;
+  if (filter->GetPreset() == vtkSurfaceMaterial::OPENING ||
+    filter->GetOpening() == vtkSurfaceMaterial::IS_OPENING)
+  {
+    return OpeningMark::Opening;
+  }
+  return filter->GetOpening() == vtkSurfaceMaterial::NO_OPENING ? OpeningMark::NoOpening
+                                                                : OpeningMark::None;
+}
+
 } // namespace
 
 void vtkSurfaceMaterial::Execute(
@@ -155,13 +88,14 @@ void vtkSurfaceMaterial::Execute(
   const std::string cellArray = ArrayName(this->CellArray);
   bool hadChoice = false;
   bool choseAny = false;
-  for (const Block& block : BlocksOf(vtkDataObject::GetData(outputs), this->Blocks))
+  for (const ChosenBlock& block : ChooseBlocks(vtkDataObject::GetData(outputs), this->Blocks))
   {
     RequireValidCells(block.data, block.name);
     const std::vector<bool> chosen = ChosenCells(block, cellArray, this->CellValue);
     hadChoice = hadChoice || (block.chosen && !chosen.empty());
     choseAny = choseAny || std::find(chosen.begin(), chosen.end(), true) != chosen.end();
     WriteMaterial(block.data, block.name, chosen, material);
+    WriteOpening(block.data, block.name, chosen, MarkOf(this));
   }
   if (hadChoice && !choseAny)
   {
@@ -203,6 +137,7 @@ void vtkSurfaceMaterial::PrintSelf(ostream& os, vtkIndent indent)
   print("ClearTransmittance", this->ClearTransmittance);
   os << indent << "RefractiveIndex: " << this->RefractiveIndex << "\n"
      << indent << "SolidBody: " << this->SolidBody << "\n"
+     << indent << "Opening: " << this->Opening << "\n"
      << indent << "Blocks:";
   for (const int block : this->Blocks)
   {

@@ -17,6 +17,8 @@
  *  - DiffuseReflectance, SpecularReflectance, GlossyReflectance, DiffuseTransmittance and
  *    ClearTransmittance, always with 3 components. An input with 1 component is grey.
  *  - Roughness, RefractiveIndex and SolidBody, with 1.
+ *  - Opening, with 1, if cells are marked or the input has it: 1 for an opening, 0 for none, -1
+ *    where the mesh is to tell, as in cells that no filter has marked.
  *
  * Bad input or settings give one error that names the array, the cell and the value, and the input
  * passes through without new arrays.
@@ -52,14 +54,15 @@ public:
     ALUMINIUM = 8,    ///< Brushed reflector, glossy, 0.85, roughness 0.33.
     MIRROR = 9,       ///< Specular, 0.9.
     CLEAR_GLASS = 10, ///< Pane of 6 mm float glass: index 1.52; 0.88 pass at right angles.
-    FROSTED_GLASS = 11 ///< Pane that lets 0.81 through and reflects 0.15, both diffusely.
+    FROSTED_GLASS = 11, ///< Pane that lets 0.81 through and reflects 0.15, both diffusely.
+    OPENING = 12        ///< Lets all light through, and is marked as an opening.
   };
 
   ///@{
   /**
    * A ready material, see Presets. Default: CUSTOM.
    */
-  vtkSetClampMacro(Preset, int, CUSTOM, FROSTED_GLASS);
+  vtkSetClampMacro(Preset, int, CUSTOM, OPENING);
   vtkGetMacro(Preset, int);
   ///@}
 
@@ -139,6 +142,26 @@ public:
   vtkBooleanMacro(SolidBody, bool);
   ///@}
 
+  /// The values of the cell array Opening.
+  enum Openings
+  {
+    AS_FOUND = -1,  ///< The mesh tells.
+    NO_OPENING = 0, ///< It is none, nor is a hole beside it or around it.
+    IS_OPENING = 1  ///< It is one.
+  };
+
+  ///@{
+  /**
+   * Whether the cells are an opening through which outdoor light enters, such as a window, see
+   * Openings; whichever the preset, but for OPENING, which is one. Without a mark, holes of the
+   * mesh with a flat border are openings, and panes (ClearTransmittance above 0, no SolidBody),
+   * where the sky is seen from one side more than from the other. A mark lets no light through: an
+   * opening needs ClearTransmittance. Default: AS_FOUND.
+   */
+  vtkSetClampMacro(Opening, int, AS_FOUND, IS_OPENING);
+  vtkGetMacro(Opening, int);
+  ///@}
+
   ///@{
   /**
    * Flat indices of the blocks of a composite data set that get the material, each with all blocks
@@ -175,7 +198,7 @@ protected:
 
   void Execute(
     vtkDataObject* input, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  bool NeedsWholeSurface() const override { return false; }
+  RankWork WorkOnRanks() const override { return RankWork::Alone; }
 
   int Preset = CUSTOM;
   double DiffuseReflectance[3] = { 0.5, 0.5, 0.5 };
@@ -186,6 +209,7 @@ protected:
   double ClearTransmittance[3] = { 0.0, 0.0, 0.0 };
   double RefractiveIndex = 1.5;
   bool SolidBody = false;
+  int Opening = AS_FOUND;
   std::set<int> Blocks;
   std::string CellArray;
   double CellValue = 0.0;

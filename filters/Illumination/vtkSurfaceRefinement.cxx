@@ -4,6 +4,7 @@
 #include "Illumination/pipeline/InputError.h"
 #include "Illumination/pipeline/Text.h"
 #include "Illumination/pipeline/VtkVersion.h"
+#include "Illumination/ranks/ControllerRanks.h"
 #include "Illumination/refinement/RefinedBlocks.h"
 
 #include "PhotonTransport/refinement/LimitedRefinement.h"
@@ -82,6 +83,21 @@ std::string NamesOf(const RefinementLimits& limits)
 void vtkSurfaceRefinement::Execute(
   vtkDataObject*, vtkInformationVector**, vtkInformationVector* outputs)
 {
+  const RefinementBlocks blocks(vtkDataObject::GetData(outputs), this->FeatureAngle);
+  const auto refined = this->Refine(blocks);
+  if (this->GetRanks().Any(refined.empty()))
+  {
+    return; // The input passes through.
+  }
+  for (std::size_t b = 0; b < refined.size(); ++b)
+  {
+    blocks.Blocks()[b].data->ShallowCopy(refined[b]);
+  }
+}
+
+std::vector<vtkSmartPointer<vtkPolyData>> vtkSurfaceRefinement::Refine(
+  const RefinementBlocks& blocks)
+{
   const RefinementLimits limits = LimitsOf(this);
   const auto most = static_cast<std::uint64_t>(this->MaximumCells);
   // Without a pause between reports, since there are few of them.
@@ -91,32 +107,26 @@ void vtkSurfaceRefinement::Execute(
     this->UpdateProgress(share);
     return !AbortRequested(this);
   };
-  const RefinementBlocks blocks(vtkDataObject::GetData(outputs), this->FeatureAngle);
   if (!goesOn(0.2, "Finding curves"))
   {
-    return; // The input passes through.
+    return {};
   }
   const PhotonTransport::LimitedRefinement limited = LimitFacets(blocks.Mesh(), limits, most);
   if (limited.widened)
   {
-    vtkWarningMacro(<< "the limits ask for more triangles than MaximumCells, " << most
-                    << ". The surface has " << limited.refinement->NumberOfFacets()
-                    << NamesOf(limited.limits));
+    this->Warn(Text("the limits ask for more triangles than MaximumCells, ", most,
+      ". The surface has ", limited.refinement->NumberOfFacets(), NamesOf(limited.limits)));
   }
   if (!goesOn(0.5, "Dividing facets"))
   {
-    return;
+    return {};
   }
   const PhotonTransport::RefinedMesh fine = limited.refinement->Make();
   if (!goesOn(0.7, "Interpolating arrays"))
   {
-    return;
+    return {};
   }
-  const auto refined = RefinedBlocks(blocks, fine);
-  for (std::size_t b = 0; b < refined.size(); ++b)
-  {
-    blocks.Blocks()[b].data->ShallowCopy(refined[b]);
-  }
+  return RefinedBlocks(blocks, fine);
 }
 
 void vtkSurfaceRefinement::PrintSelf(ostream& os, vtkIndent indent)

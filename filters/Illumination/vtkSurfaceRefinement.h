@@ -38,7 +38,17 @@
 #define vtkSurfaceRefinement_h
 
 #include "vtkIlluminationModule.h" // for export macro
+#include "vtkSmartPointer.h"       // for Refine
 #include "vtkSurfaceAlgorithm.h"
+
+#include <vector> // for Refine
+
+class vtkPolyData;
+
+namespace Illumination
+{
+class RefinementBlocks;
+}
 
 class VTKILLUMINATION_EXPORT vtkSurfaceRefinement : public vtkSurfaceAlgorithm
 {
@@ -107,6 +117,9 @@ protected:
   int MaximumCells = 5000000;
 
 private:
+  /// Empty if it was stopped.
+  std::vector<vtkSmartPointer<vtkPolyData>> Refine(const Illumination::RefinementBlocks& blocks);
+
   vtkSurfaceRefinement(const vtkSurfaceRefinement&) = delete;
   void operator=(const vtkSurfaceRefinement&) = delete;
 };

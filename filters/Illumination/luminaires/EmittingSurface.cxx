@@ -2,9 +2,11 @@
 #include "Illumination/luminaires/EmittingSurface.h"
 
 #include "Illumination/pipeline/InputError.h"
+#include "Illumination/pipeline/PieceNames.h"
 #include "Illumination/surface/CellExitance.h"
 #include "Illumination/surface/InputChecks.h"
 #include "Illumination/surface/SurfaceTriangles.h"
+#include "Illumination/surface/TriangleOrder.h"
 
 #include "PhotonTransport/scene/FacetSide.h"
 
@@ -40,21 +42,24 @@ glm::dvec3 AreaVector(const EmittingMesh& mesh, const glm::uvec3& facet)
   return glm::cross(mesh.points[facet.y] - a, mesh.points[facet.z] - a);
 }
 
+/// @param ordered The triangles of the mesh, as they are of the data.
 void TurnToNormals(
-  EmittingMesh& mesh, vtkDataArray* normals, const std::vector<vtkIdType>& cellOfFacet)
+  EmittingMesh& mesh, vtkDataArray* normals, vtkPolyData* ordered, vtkPolyData* data)
 {
+  const std::vector<vtkIdType> points = PointsOfTriangles(ordered);
+  const std::vector<vtkIdType> cells = CellsOfTriangles(ordered);
   for (std::size_t f = 0; f < mesh.facets.size(); ++f)
   {
     glm::uvec3& facet = mesh.facets[f];
     std::array<glm::dvec3, 3> corners;
     for (int corner = 0; corner < 3; ++corner)
     {
-      normals->GetTuple(facet[corner], &corners[static_cast<std::size_t>(corner)].x);
+      normals->GetTuple(points[facet[corner]], &corners[static_cast<std::size_t>(corner)].x);
     }
     const FacetSide side = SideOf(AreaVector(mesh, facet), corners);
     if (side.undecided)
     {
-      throw InputError("the point normals of cell " + std::to_string(cellOfFacet[f]) +
+      throw InputError("the point normals of " + NameOfCell(data, cells[f], "") +
         " lie in its own plane or cancel, so they do not tell to which side it shines; compute "
         "them anew or remove them");
     }
@@ -91,7 +96,8 @@ std::optional<Luminaire> ReadEmittingSurface(vtkPolyData* data)
   vtkDataArray* normals = CheckedNormals(data, "");
   const SurfaceTriangles triangles = TrianglesOf(data, nullptr, "");
 
-  const std::vector<vtkIdType> cells = CellsOfTriangles(triangles.mesh);
+  const vtkSmartPointer<vtkPolyData> ordered = OrderedByPlace(triangles.mesh, data);
+  const std::vector<vtkIdType> cells = CellsOfTriangles(ordered);
   const std::vector<Colour> exitance = ExitanceOf({ data, "" }, Exitance, cells);
   if (cells.empty())
   {
@@ -100,16 +106,16 @@ std::optional<Luminaire> ReadEmittingSurface(vtkPolyData* data)
   }
   if (triangles.uncut.number > 0)
   {
-    throw InputError("cell " + std::to_string(triangles.uncut.first) +
+    throw InputError(NameOfCell(data, triangles.uncut.first, "") +
       " crosses or touches itself, so its Exitance gives no flux");
   }
 
   EmittingMesh mesh;
-  AppendPoints(triangles.mesh, mesh.points);
-  AppendFacets(triangles.mesh, 0, mesh.facets);
+  AppendPoints(ordered, mesh.points);
+  AppendFacets(ordered, 0, mesh.facets);
   if (normals)
   {
-    TurnToNormals(mesh, normals, cells);
+    TurnToNormals(mesh, normals, ordered, data);
   }
   for (const Colour& colour : exitance)
   {

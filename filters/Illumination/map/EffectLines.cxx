@@ -30,7 +30,7 @@ constexpr Words WordsOf[] = { { "interreflection", "diffuse reflectance" },
   { "refraction", "clear transmittance as the surface of a solid body" } };
 static_assert(std::size(WordsOf) == Scatterings, "each way of scattering has its words");
 
-std::string CompensationLine(const Effects& effects)
+std::string CompensationLine(const Effects& effects, bool gathering)
 {
   const EffectCounts& counts = effects.counts;
   if (effects.settings.registration == PhotonTransport::Registration::Flat)
@@ -40,7 +40,17 @@ std::string CompensationLine(const Effects& effects)
   return counts.tiltedVertices == 0
     ? "compensation: off, all points have the normal of all facets around them"
     : Text("compensation: on, ", counts.tiltedVertices, " of ", counts.vertices,
-        " points have a normal that differs from a facet's around them");
+        " points have a normal that differs from a facet's around them",
+        gathering ? "; with final gathering it concerns caustics alone" : "");
+}
+
+std::string GatheringLine(const Effects& effects, std::uint32_t rays)
+{
+  return rays == 0
+    ? "final gathering: off, Method is Photon Tracing"
+    : Text("final gathering: on, about ", rays, " rays for each of ", effects.counts.vertices,
+        effects.settings.registerBackSide ? " points and each side, as Method asks for"
+                                          : " points, as Method asks for");
 }
 
 std::string CurvedLine(const Effects& effects)
@@ -102,10 +112,11 @@ std::string LampLine(const char* effect, std::size_t count, std::size_t lamps, c
 
 } // namespace
 
-std::vector<std::string> EffectLines(
-  const Effects& effects, const std::array<double, Scatterings>& switchedOff)
+std::vector<std::string> EffectLines(const Effects& effects,
+  const std::array<double, Scatterings>& switchedOff, std::uint32_t gatherRays)
 {
-  std::vector<std::string> lines{ CompensationLine(effects), CurvedLine(effects) };
+  std::vector<std::string> lines{ GatheringLine(effects, gatherRays),
+    CompensationLine(effects, gatherRays > 0), CurvedLine(effects) };
   for (unsigned s = 0; s < Scatterings; ++s)
   {
     lines.push_back(ScatteringLine(effects, s, switchedOff[s]));

@@ -2,10 +2,10 @@
 #include "Illumination/map/IlluminationArrays.h"
 
 #include "Illumination/luminaires/LuminaireFields.h"
-#include "Illumination/map/EffectLines.h"
 #include "Illumination/map/MeshNotes.h"
-#include "Illumination/map/MissingLight.h"
+#include "Illumination/map/PartArrays.h"
 #include "Illumination/map/PointMapping.h"
+#include "Illumination/map/RefinedScene.h"
 #include "Illumination/map/SceneBlocks.h"
 #include "Illumination/map/SceneWarnings.h"
 #include "Illumination/pipeline/FieldArrays.h"
@@ -14,23 +14,17 @@
 
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkTable.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
-#include <iterator>
-#include <numeric>
 
 namespace Illumination
 {
 namespace
 {
 
-using PhotonTransport::Accuracy;
 using PhotonTransport::IlluminationMap;
 using PhotonTransport::IlluminationRun;
-using PhotonTransport::StopReason;
 
 std::vector<double> Sum(const std::vector<double>& a, const std::vector<double>& b)
 {
@@ -50,42 +44,9 @@ std::vector<double> RelativeErrors(
   return relative;
 }
 
-double PerSecond(std::uint64_t count, double seconds)
-{
-  return seconds > 0.0 ? static_cast<double>(count) / seconds : 0.0;
-}
-
-std::string NameOf(StopReason reason)
-{
-  switch (reason)
-  {
-    case StopReason::RelativeError:
-      return "target relative error";
-    case StopReason::TimeLimit:
-      return "time limit";
-    case StopReason::Abort:
-      return "abort";
-    case StopReason::SumsFull:
-      return "sums full: a point has had as many hits as its sum can hold";
-    case StopReason::NothingLit:
-      return "nothing lit: the target relative error can't be met";
-    default:
-      return "photon limit";
-  }
-}
-
-/// [Scattering] What those that are switched off would have carried on, lm.
-std::array<double, PhotonTransport::Scatterings> FluxSwitchedOff(const IlluminationRun& run)
-{
-  std::array<double, PhotonTransport::Scatterings> flux{};
-  for (unsigned s = 0; s < PhotonTransport::Scatterings; ++s)
-  {
-    flux[s] = run.FluxSwitchedOff(static_cast<PhotonTransport::Scattering>(s));
-  }
-  return flux;
-}
-
-void AddFront(const PointMapping& mapping, const IlluminationMap& map)
+/// @param facetError [vertex] Or empty.
+void AddFront(
+  const PointMapping& mapping, const IlluminationMap& map, const std::vector<double>& facetError)
 {
   vtkPointData* arrays = mapping.PointArrays();
   const std::vector<double> direct = mapping.Mean(map.direct);
@@ -95,12 +56,23 @@ void AddFront(const PointMapping& mapping, const IlluminationMap& map)
   AddArray(arrays, "Illuminance", total);
   AddArray(arrays, "IlluminanceDirect", direct);
   AddArray(arrays, "IlluminanceIndirect", indirect);
+  if (!map.caustic.empty())
+  {
+    AddArray(arrays, "IlluminanceCaustic", mapping.Mean(map.caustic));
+  }
   AddArray(arrays, "StandardError", error);
   AddArray(arrays, "RelativeError", RelativeErrors(error, total));
-  std::vector<std::uint64_t> hits(total.size(), 0);
-  mapping.ForEach(
-    [&](std::size_t vertex, std::size_t point) { hits[point] += map.photonHits[vertex]; });
-  AddArray(arrays, "PhotonHits", hits);
+  if (!facetError.empty())
+  {
+    AddArray(arrays, "FacetError", mapping.Mean(facetError));
+  }
+  if (map.caustic.empty()) // else hits tell of caustics alone
+  {
+    std::vector<std::uint64_t> hits(total.size(), 0);
+    mapping.ForEach(
+      [&](std::size_t vertex, std::size_t point) { hits[point] += map.photonHits[vertex]; });
+    AddArray(arrays, "PhotonHits", hits);
+  }
   arrays->SetActiveScalars("Illuminance");
 }
 
@@ -111,41 +83,16 @@ void AddBack(const PointMapping& mapping, const IlluminationMap& map)
   AddArray(mapping.PointArrays(), "StandardErrorBack", mapping.MeanError(map.standardError));
 }
 
-void AddSides(const std::vector<PointMapping>& mappings, const IlluminationRun& run, bool backSide)
+void AddSides(const std::vector<PointMapping>& mappings, const IlluminationMap& front,
+  const IlluminationMap& back, const std::vector<double>& facetError, bool backSide)
 {
-  const IlluminationMap front = run.Front();
-  const IlluminationMap back = backSide ? run.Back() : IlluminationMap();
   for (const PointMapping& mapping : mappings)
   {
-    AddFront(mapping, front);
+    AddFront(mapping, front, facetError);
     if (backSide)
     {
       AddBack(mapping, back);
     }
-  }
-}
-
-template <typename Value>
-void AddMean(const std::vector<PointMapping>& mappings, const std::string& name,
-  const std::vector<Value>& values)
-{
-  for (const PointMapping& mapping : mappings)
-  {
-    AddArray(mapping.PointArrays(), name.c_str(), mapping.Mean(values));
-  }
-}
-
-void AddLayers(const std::vector<PointMapping>& mappings, const IlluminationRun& run,
-  const PhotonTransport::Lighting* lighting)
-{
-  if (run.EffectsInUse().colour)
-  {
-    AddMean(mappings, "IlluminanceRGB", run.FrontByColour());
-  }
-  for (std::size_t lamp = 0; lighting && lamp < lighting->luminaires.size(); ++lamp)
-  {
-    const std::string& name = lighting->luminaires[lamp].name;
-    AddMean(mappings, "Illuminance_" + (name.empty() ? "Lamp" : name), run.FrontOfLamp(lamp));
   }
 }
 
@@ -169,69 +116,29 @@ void AddPointArrays(const SceneBlocks& blocks, const PhotonTransport::Scene& sce
   {
     mappings.emplace_back(block, scene.VertexAreas());
   }
-  AddSides(mappings, run, wanted.backSide);
-  AddLayers(mappings, run, wanted.ofLamps);
+  const IlluminationMap front = run.Front();
+  AddSides(mappings, front, wanted.backSide ? run.Back() : IlluminationMap(),
+    run.FacetErrorOf(front), wanted.backSide);
+  AddParts(mappings, run, front, wanted.ofLamps);
   if (wanted.groupMeans)
   {
     AddGroupMeans(mappings, run);
   }
 }
 
-void AddFieldData(vtkFieldData* output, const IlluminationRun& run, StopReason reason,
-  const std::vector<std::string>& notes)
+void AddRefinedBlocks(const SceneBlocks& blocks, const PhotonTransport::Scene& scene,
+  const PhotonTransport::RefinedMap& map, const WantedArrays& wanted)
 {
-  using Count = std::vector<std::uint64_t>;
-  using Value = std::vector<double>;
-  using Text = std::vector<std::string>;
-  const PhotonTransport::PhotonBalance balance = run.Balance();
-  const auto switchedOff = FluxSwitchedOff(run);
-  AddArray(output, "PhotonsEmitted", Count{ balance.emitted });
-  AddArray(output, "PhotonsAbsorbed", Count{ balance.absorbed });
-  AddArray(output, "PhotonsEscaped", Count{ balance.escaped });
-  AddArray(output, "PhotonsCutOff", Count{ balance.cutOff });
-  AddArray(output, "EmittedFlux", Value{ run.Flux() });
-  AddArrivals(output, run);
-  AddArray(output, "FluxCutByWeightBound", Value{ run.FluxCutByWeightBound() });
-  AddArray(output, "FluxSwitchedOff",
-    Value{ std::accumulate(switchedOff.begin(), switchedOff.end(), 0.0) });
-  AddArray(output, "Seconds", Value{ run.Seconds() });
-  AddArray(output, "PhotonsPerSecond", Value{ PerSecond(balance.emitted, run.Seconds()) });
-  AddArray(output, "SegmentsPerSecond", Value{ PerSecond(balance.segments, run.Seconds()) });
-  if (!run.Rounds().empty() && run.Rounds().back().predictedPhotons > 0.0)
+  const std::vector<SceneBlock> refined = RefineBlocks(blocks, map.mesh);
+  std::vector<double> weights = scene.VertexAreas();
+  weights.resize(map.mesh.points.size(), 1.0); // no new point has more than one value
+  std::vector<PointMapping> mappings;
+  for (const SceneBlock& block : refined)
   {
-    AddArray(output, "PredictedPhotons", Value{ run.Rounds().back().predictedPhotons });
-    AddArray(output, "PredictedSeconds", Value{ run.Rounds().back().predictedSeconds });
+    mappings.emplace_back(block, weights);
   }
-  AddArray(output, "StoppedBy", Text{ NameOf(reason) });
-  AddArray(output, "Effects", EffectLines(run.EffectsInUse(), switchedOff));
-  AddArray(output, "Notes", notes);
-  AddArray(output, "IlluminationMapsVersion", Text{ ILLUMINATION_VERSION });
-}
-
-void AddMemoryNeeded(vtkFieldData* output, std::uint64_t bytes)
-{
-  AddArray(output, "MemoryNeeded", std::vector<std::uint64_t>{ bytes });
-}
-
-void FillAccuracyTable(vtkTable* table, const std::vector<Accuracy>& rounds)
-{
-  const auto column = [&](const char* name, const auto& valueOf)
-  {
-    std::vector<double> values;
-    values.reserve(rounds.size());
-    std::transform(rounds.begin(), rounds.end(), std::back_inserter(values), valueOf);
-    AddArray(table->GetRowData(), name, values);
-  };
-  table->Initialize();
-  column("Photons", [](const Accuracy& row) { return static_cast<double>(row.photons); });
-  column("Seconds", [](const Accuracy& row) { return row.seconds; });
-  column("RelativeError", [](const Accuracy& row) { return row.relativeError; });
-  column("MedianRelativeError", [](const Accuracy& row) { return row.medianRelativeError; });
-  column(
-    "Percentile95RelativeError", [](const Accuracy& row) { return row.percentile95RelativeError; });
-  column("SegmentsPerSecond", [](const Accuracy& row) { return row.segmentsPerSecond; });
-  column("PredictedPhotons", [](const Accuracy& row) { return row.predictedPhotons; });
-  column("PredictedSeconds", [](const Accuracy& row) { return row.predictedSeconds; });
+  AddSides(mappings, map.front, map.back, {}, wanted.backSide);
+  AddParts(mappings, map, wanted.ofLamps);
 }
 
 std::vector<std::string> NotesOn(const SceneBlocks& blocks, const PhotonTransport::Scene& scene)

@@ -18,7 +18,9 @@ namespace
 {
 
 using PhotonTransport::Arrivals;
+using PhotonTransport::ArrivedFlux;
 using PhotonTransport::Luminaire;
+using PhotonTransport::ShareOfLight;
 
 /// See MissingLight.
 constexpr double MostOnBacks = 0.1;
@@ -89,11 +91,13 @@ bool IsClosed(const TracedScene& traced)
 {
   const PhotonTransport::PhotonBalance balance = traced.run.Balance();
   std::uint64_t fromOutside = 0;
+  std::uint64_t unscattered = 0;
   for (const Arrivals& lamp : traced.run.ArrivalsByLamp())
   {
     fromOutside += lamp.escaped + lamp.back;
+    unscattered += lamp.Emitted();
   }
-  const std::uint64_t scattered = balance.segments - balance.emitted;
+  const std::uint64_t scattered = balance.segments - std::min(balance.segments, unscattered);
   const std::uint64_t escaped = balance.escaped - std::min(balance.escaped, fromOutside);
   constexpr std::uint64_t Enough = 1000;
   const PhotonTransport::Surface& surface = traced.blocks.Surface();
@@ -101,33 +105,69 @@ bool IsClosed(const TracedScene& traced)
                              : LooksInward(surface) && HasNoBoundary(surface);
 }
 
-Loss LossFromOutside(const Arrivals& light, const SceneAround& around)
+/// Light of one lamp, by where it first arrived.
+struct LampLight
 {
-  const std::uint64_t onBacks = around.backSide ? 0 : light.back;
-  const std::uint64_t met = light.Emitted() - light.escaped;
-  if (met == 0 && light.escaped > 0)
+  ArrivedFlux flux;    ///< lm
+  ArrivedFlux squares; ///< Of the flux of each photon, lm^2.
+
+  ShareOfLight OnBacks(bool backSide) const
+  {
+    return { backSide ? 0.0 : this->flux.back, MetBy(this->flux),
+      backSide ? 0.0 : this->squares.back, MetBy(this->squares) };
+  }
+  ShareOfLight Escaped() const
+  {
+    return { this->flux.escaped, this->flux.Emitted(), this->squares.escaped,
+      this->squares.Emitted() };
+  }
+  /// On backs or escaped.
+  ShareOfLight Lost(bool backSide) const
+  {
+    const ShareOfLight onBacks = this->OnBacks(backSide), escaped = this->Escaped();
+    return { onBacks.part + escaped.part, escaped.whole, onBacks.squaredPart + escaped.squaredPart,
+      escaped.squaredWhole };
+  }
+};
+
+std::vector<LampLight> LightByLamp(const TracedScene& traced)
+{
+  const std::vector<ArrivedFlux> flux = traced.run.FluxArrivedByLamp();
+  const std::vector<ArrivedFlux> squares = traced.run.SquaredFluxArrivedByLamp();
+  std::vector<LampLight> lamps;
+  for (std::size_t lamp = 0; lamp < flux.size(); ++lamp)
+  {
+    lamps.push_back({ flux[lamp], squares[lamp] });
+  }
+  return lamps;
+}
+
+Loss LossFromOutside(const LampLight& light, const SceneAround& around)
+{
+  const double met = MetBy(light.flux);
+  if (met == 0.0 && light.flux.escaped > 0.0)
   {
     return Loss::OutsideMissed;
   }
-  const bool closed = Share(light.front, met) < LeastOfOutdoorLight && 2 * onBacks > met;
+  const bool closed = Share(light.flux.front, met) < LeastOfOutdoorLight &&
+    light.OnBacks(around.backSide).SurelyExceeds(0.5);
   return closed ? Loss::OutsideClosed : Loss::None;
 }
 
-Loss LossFromInside(const Arrivals& lamp, const SceneAround& around)
+Loss LossFromInside(const LampLight& light, const SceneAround& around)
 {
-  const std::uint64_t onBacks = around.backSide ? 0 : lamp.back;
-  const std::uint64_t met = lamp.Emitted() - lamp.escaped;
-  if (Share(lamp.escaped, lamp.Emitted()) > MostEscaped)
+  const ShareOfLight onBacks = light.OnBacks(around.backSide), escaped = light.Escaped();
+  if (escaped.SurelyExceeds(MostEscaped))
   {
     return Loss::Escaped;
   }
-  if (Share(onBacks, met) > MostOnBacks)
+  if (onBacks.SurelyExceeds(MostOnBacks))
   {
     return Loss::OnBacks;
   }
-  if (around.closed && Share(onBacks + lamp.escaped, lamp.Emitted()) > MostLostInClosed)
+  if (around.closed && light.Lost(around.backSide).SurelyExceeds(MostLostInClosed))
   {
-    return onBacks > lamp.escaped ? Loss::OnBacks : Loss::Escaped;
+    return onBacks.part > escaped.part ? Loss::OnBacks : Loss::Escaped;
   }
   return Loss::None;
 }
@@ -135,12 +175,12 @@ Loss LossFromInside(const Arrivals& lamp, const SceneAround& around)
 /// Whether a lamp in the scene loses so much that it matters whether the surface is closed.
 bool ClosednessMatters(const TracedScene& traced)
 {
-  const std::vector<Arrivals> arrivals = traced.run.ArrivalsByLamp();
-  for (std::size_t lamp = 0; lamp < arrivals.size(); ++lamp)
+  const std::vector<LampLight> lights = LightByLamp(traced);
+  for (std::size_t lamp = 0; lamp < lights.size(); ++lamp)
   {
     if (!ComesFromOutside(traced.lighting.luminaires[lamp]) &&
-      LossFromInside(arrivals[lamp], { true, traced.backSide }) !=
-        LossFromInside(arrivals[lamp], { false, traced.backSide }))
+      LossFromInside(lights[lamp], { true, traced.backSide }) !=
+        LossFromInside(lights[lamp], { false, traced.backSide }))
     {
       return true;
     }
@@ -150,9 +190,14 @@ bool ClosednessMatters(const TracedScene& traced)
 
 } // namespace
 
-double Share(std::uint64_t part, std::uint64_t whole)
+double Share(double part, double whole)
 {
-  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+  return whole > 0.0 ? part / whole : 0.0;
+}
+
+double MetBy(const ArrivedFlux& light)
+{
+  return light.front + light.back + light.absorbed + light.cutOff;
 }
 
 bool ComesFromOutside(const Luminaire& luminaire)
@@ -163,22 +208,22 @@ bool ComesFromOutside(const Luminaire& luminaire)
 
 std::vector<Loss> LossesByLamp(const TracedScene& traced)
 {
-  const std::vector<Arrivals> arrivals = traced.run.ArrivalsByLamp();
+  const std::vector<LampLight> lights = LightByLamp(traced);
   const SceneAround around{ ClosednessMatters(traced) && IsClosed(traced), traced.backSide };
   std::vector<Loss> losses;
-  for (std::size_t lamp = 0; lamp < arrivals.size(); ++lamp)
+  for (std::size_t lamp = 0; lamp < lights.size(); ++lamp)
   {
     losses.push_back(ComesFromOutside(traced.lighting.luminaires[lamp])
-        ? LossFromOutside(arrivals[lamp], around)
-        : LossFromInside(arrivals[lamp], around));
+        ? LossFromOutside(lights[lamp], around)
+        : LossFromInside(lights[lamp], around));
   }
   return losses;
 }
 
 Lost AllThatLost(Loss way, const std::vector<Loss>& losses, const TracedScene& traced)
 {
-  const std::vector<Arrivals> arrivals = traced.run.ArrivalsByLamp();
-  const auto missing = [](const Arrivals& lamp) { return lamp.back + lamp.escaped; };
+  const std::vector<ArrivedFlux> arrivals = traced.run.FluxArrivedByLamp();
+  const auto missing = [](const ArrivedFlux& lamp) { return lamp.back + lamp.escaped; };
   Lost lost;
   for (std::size_t lamp = 0; lamp < arrivals.size(); ++lamp)
   {
@@ -195,20 +240,14 @@ Lost AllThatLost(Loss way, const std::vector<Loss>& losses, const TracedScene& t
   return lost;
 }
 
-ScatteredLight ScatteredLightOf(const TracedScene& traced)
+PhotonTransport::ShareOfLight ScatteredLightOnBacks(const TracedScene& traced)
 {
-  const PhotonTransport::PhotonBalance balance = traced.run.Balance();
-  Arrivals first;
-  for (const Arrivals& lamp : traced.run.ArrivalsByLamp())
+  PhotonTransport::ShareOfLight share = traced.run.ScatteredLightOnBacks();
+  if (traced.backSide || (traced.run.EffectsInUse().present & PhotonTransport::Transmissions) != 0)
   {
-    first += lamp;
+    share.part = share.squaredPart = 0.0;
   }
-  const bool throughBacks =
-    (traced.run.EffectsInUse().present & PhotonTransport::Transmissions) != 0;
-  ScatteredLight scattered;
-  scattered.met = (balance.segments - balance.escaped) - (balance.emitted - first.escaped);
-  scattered.onBacks = traced.backSide || throughBacks ? 0 : balance.onBacks - first.back;
-  return scattered;
+  return share;
 }
 
 } // namespace Illumination

@@ -37,7 +37,7 @@ enum class Loss
 /// All lamps that lost light in one way.
 struct Lost
 {
-  PhotonTransport::Arrivals sum;
+  PhotonTransport::ArrivedFlux sum;
   std::vector<std::size_t> lamps;
   std::size_t worst = 0; ///< Of the lamps.
 };
@@ -49,16 +49,14 @@ Lost AllThatLost(Loss way, const std::vector<Loss>& losses, const TracedScene& t
 /// Whether a lamp's light starts over the whole scene: parallel light and skies.
 bool ComesFromOutside(const PhotonTransport::Luminaire& luminaire);
 
-/// Scattered photons that met the surface, and those of them that met backs.
-struct ScatteredLight
-{
-  std::uint64_t met = 0;
-  std::uint64_t onBacks = 0; ///< 0 where backs are registered or let light through.
-};
-ScatteredLight ScatteredLightOf(const TracedScene& traced);
+/// Of scattered light what fell on backs; nothing where backs are registered or let light through.
+PhotonTransport::ShareOfLight ScatteredLightOnBacks(const TracedScene& traced);
+
+/// What of a lamp's light met the surface, lm.
+double MetBy(const PhotonTransport::ArrivedFlux& light);
 
 /// 0 where the whole is.
-double Share(std::uint64_t part, std::uint64_t whole);
+double Share(double part, double whole);
 
 } // namespace Illumination
 

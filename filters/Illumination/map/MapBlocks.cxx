@@ -2,9 +2,11 @@
 #include "Illumination/map/MapBlocks.h"
 
 #include "Illumination/pipeline/InputError.h"
+#include "Illumination/pipeline/PieceNames.h"
 #include "Illumination/surface/GhostPoints.h"
 #include "Illumination/surface/InputChecks.h"
 #include "Illumination/surface/SurfaceTriangles.h"
+#include "Illumination/surface/TriangleOrder.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -48,10 +50,15 @@ void MapBlocks::Append(const NamedSurface& part)
   const SurfaceTriangles triangles = TrianglesOf(part.data, nullptr, part.name);
   if (HasSurface(part.data))
   {
-    const std::size_t firstPoint = this->AllPoints.size();
-    this->Parts.push_back({ part, firstPoint });
-    AppendPoints(part.data, this->AllPoints);
-    AppendFacets(triangles.mesh, firstPoint, this->AllFacets);
+    const vtkSmartPointer<vtkPolyData> ordered = OrderedByPlace(triangles.mesh, part.data);
+    this->Parts.push_back({ part, this->NumberOfPoints });
+    AppendFacets(ordered, this->Places.size(), this->AllFacets);
+    AppendPoints(ordered, this->Places);
+    for (const vtkIdType point : PointsOfTriangles(ordered))
+    {
+      this->PointOfVertex.push_back(this->NumberOfPoints + static_cast<std::size_t>(point));
+    }
+    this->NumberOfPoints += static_cast<std::size_t>(part.data->GetNumberOfPoints());
   }
 }
 
@@ -70,12 +77,13 @@ void MapBlocks::FindOwners()
   }
 }
 
-std::string MapBlocks::NameOfPoint(std::size_t point) const
+std::string MapBlocks::NameOfVertex(std::size_t vertex) const
 {
+  const std::size_t point = this->PointOfVertex[vertex];
   const auto after = std::upper_bound(this->Parts.begin(), this->Parts.end(), point,
     [](std::size_t p, const Block& block) { return p < block.firstPoint; });
   const Block& block = *(after - 1);
-  return "point " + std::to_string(point - block.firstPoint) + block.name;
+  return NameOfPoint(block.data, static_cast<vtkIdType>(point - block.firstPoint), block.name);
 }
 
 bool MapBlocks::Have(const std::string& array) const
@@ -99,7 +107,7 @@ void MapBlocks::ForEachTuple(const std::string& array, int components,
 
 std::vector<double> MapBlocks::Values(const std::string& array) const
 {
-  std::vector<double> values(this->AllPoints.size());
+  std::vector<double> values(this->NumberOfPoints);
   this->ForEachTuple(array, 1,
     [&](std::size_t point, vtkDataArray* tuples, vtkIdType tuple)
     { values[point] = tuples->GetComponent(tuple, 0); });
@@ -108,7 +116,7 @@ std::vector<double> MapBlocks::Values(const std::string& array) const
 
 std::vector<PhotonTransport::GroupValues> MapBlocks::Groups(const std::string& array) const
 {
-  std::vector<PhotonTransport::GroupValues> groups(this->AllPoints.size());
+  std::vector<PhotonTransport::GroupValues> groups(this->NumberOfPoints);
   this->ForEachTuple(array, static_cast<int>(PhotonTransport::Groups),
     [&](std::size_t point, vtkDataArray* tuples, vtkIdType tuple)
     { tuples->GetTuple(tuple, groups[point].data()); });

@@ -22,7 +22,9 @@ namespace Illumination
 {
 
 /// The polygonal blocks of a data object as one list of points with their triangles
-/// (SurfaceTriangles), and the point arrays on them.
+/// (SurfaceTriangles), and the point arrays on them. Those points that triangles have are the
+/// vertices of the map; their order does not depend on how the surface is divided between ranks
+/// (OrderedByPlace).
 class MapBlocks
 {
 public:
@@ -35,12 +37,37 @@ public:
   explicit MapBlocks(vtkDataObject* data);
 
   const std::vector<Block>& Blocks() const { return this->Parts; }
-  const std::vector<glm::dvec3>& Points() const { return this->AllPoints; }
+  const std::vector<glm::dvec3>& Vertices() const { return this->Places; }
   const std::vector<glm::uvec3>& Facets() const { return this->AllFacets; }
   /// "point 7 of block 2".
-  std::string NameOfPoint(std::size_t point) const;
+  std::string NameOfVertex(std::size_t vertex) const;
 
-  /// Gives each ghost point the value of its owner. @param values One for each of Points().
+  /// @param values [point] @return [vertex]
+  template <typename Value>
+  std::vector<Value> OfVertices(const std::vector<Value>& values) const
+  {
+    std::vector<Value> chosen;
+    for (const std::size_t point : this->PointOfVertex)
+    {
+      chosen.push_back(values[point]);
+    }
+    return chosen;
+  }
+  /// @param values [vertex] @param others [point] Of points that no triangle has; empty: 0.
+  /// @return [point]
+  template <typename Value>
+  std::vector<Value> OfPoints(
+    const std::vector<Value>& values, std::vector<Value> others = {}) const
+  {
+    others.resize(this->NumberOfPoints, Value{});
+    for (std::size_t v = 0; v < values.size(); ++v)
+    {
+      others[this->PointOfVertex[v]] = values[v];
+    }
+    return others;
+  }
+
+  /// Gives each ghost point the value of its owner. @param values [point]
   template <typename Value>
   void CopyToGhosts(std::vector<Value>& values) const
   {
@@ -78,7 +105,9 @@ private:
     const std::function<void(std::size_t point, vtkDataArray* array, vtkIdType tuple)>& f) const;
 
   std::vector<Block> Parts;
-  std::vector<glm::dvec3> AllPoints;
+  std::size_t NumberOfPoints = 0;
+  std::vector<std::size_t> PointOfVertex;
+  std::vector<glm::dvec3> Places;
   std::vector<glm::uvec3> AllFacets;
   std::vector<std::pair<std::size_t, std::size_t>> OwnerOfGhost; ///< Of points.
 };

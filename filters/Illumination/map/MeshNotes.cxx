@@ -2,6 +2,7 @@
 #include "Illumination/map/MeshNotes.h"
 
 #include "Illumination/map/SceneBlocks.h"
+#include "Illumination/pipeline/PieceNames.h"
 #include "Illumination/pipeline/Text.h"
 
 #include "PhotonTransport/geometry/SharpEdges.h"
@@ -28,8 +29,8 @@ void AddNotesOnCells(std::vector<std::string>& notes, const SceneBlock& block)
   {
     if (leftOut.number > 0)
     {
-      notes.push_back(Text(
-        leftOut.number, what, ", the first being cell ", leftOut.first, block.name, ", ", why));
+      notes.push_back(Text(leftOut.number, what, ", the first being ",
+        NameOfCell(block.data, leftOut.first, block.name), ", ", why));
     }
   };
   if (block.normalsWereComputed)
@@ -42,8 +43,8 @@ void AddNotesOnCells(std::vector<std::string>& notes, const SceneBlock& block)
   add(block.withoutArea, " triangles or polygons", "have no area and were left out");
   if (block.ownerlessGhosts > 0)
   {
-    notes.push_back(Text(block.ownerlessGhosts, " points, the first being point ",
-      block.firstOwnerlessGhost, block.name,
+    notes.push_back(Text(block.ownerlessGhosts, " points, the first being ",
+      NameOfPoint(block.data, block.firstOwnerlessGhost, block.name),
       ", belong to duplicate cells only (vtkGhostType) and their owners are not in the input: they "
       "were left out, at 0 lx"));
   }
@@ -126,7 +127,7 @@ void AddNoteOnSharedPoints(std::vector<std::string>& notes, const SceneBlocks& b
     const auto found = std::find(shared.begin(), shared.end(), std::uint8_t{ 1 });
     if (number == 0 && found != shared.end())
     {
-      first = Text("point ", found - shared.begin(), block.name);
+      first = NameOfPoint(block.data, found - shared.begin(), block.name);
     }
     number += static_cast<std::size_t>(std::count(found, shared.end(), std::uint8_t{ 1 }));
   }

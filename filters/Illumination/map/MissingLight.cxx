@@ -18,7 +18,7 @@ namespace Illumination
 namespace
 {
 
-using PhotonTransport::Arrivals;
+using PhotonTransport::ArrivedFlux;
 using PhotonTransport::IlluminationRun;
 using PhotonTransport::Luminaire;
 
@@ -45,10 +45,9 @@ std::string NameOf(const Lost& lost, const TracedScene& traced)
 }
 
 /// "990 of the 1000 lm (99 %)"
-std::string Amount(std::uint64_t photons, std::uint64_t of, const TracedScene& traced)
+std::string Amount(double lumens, double of)
 {
-  return Text(traced.run.FluxOf(photons), " of the ", traced.run.FluxOf(of), " lm (",
-    100.0 * Share(photons, of), " %)");
+  return Text(lumens, " of the ", of, " lm (", 100.0 * Share(lumens, of), " %)");
 }
 
 /// Where the surface and the lamp are.
@@ -88,8 +87,7 @@ std::string TextOnBacks(const TracedScene& traced, const std::vector<Loss>& loss
   {
     return "";
   }
-  const std::uint64_t met = lost.sum.Emitted() - lost.sum.escaped;
-  return Amount(lost.sum.back, met, traced) + " of " + NameOf(lost, traced) +
+  return Amount(lost.sum.back, MetBy(lost.sum)) + " of " + NameOf(lost, traced) +
     " that met the surface fell on the backs of facets" + Example(lost, traced) +
     ". The front is the side that point normals look to, and only light on fronts is in the map. "
     "Either normals look away from the light, as those of a room that look outward do, or the lamp "
@@ -104,7 +102,7 @@ std::string TextOnEscaped(const TracedScene& traced, const std::vector<Loss>& lo
   const Lost lost = AllThatLost(Loss::Escaped, losses, traced);
   return lost.lamps.empty()
     ? ""
-    : Amount(lost.sum.escaped, lost.sum.Emitted(), traced) + " of " + NameOf(lost, traced) +
+    : Amount(lost.sum.escaped, lost.sum.Emitted()) + " of " + NameOf(lost, traced) +
       " left the scene without meeting it. Look at the lamp's position, which is in the data's "
       "length unit, and at its direction; facets that shine do so from their fronts. " +
       Places(lost, traced);
@@ -113,10 +111,10 @@ std::string TextOnEscaped(const TracedScene& traced, const std::vector<Loss>& lo
 std::string TextOnClosed(const TracedScene& traced, const std::vector<Loss>& losses)
 {
   const Lost lost = AllThatLost(Loss::OutsideClosed, losses, traced);
-  return lost.lamps.empty() ? ""
-                            : "Light from outside, " + NameOf(lost, traced) +
-      (lost.lamps.size() > 1 ? "" : ",") + " reached next to no front: " +
-      Amount(lost.sum.back, lost.sum.Emitted() - lost.sum.escaped, traced) +
+  return lost.lamps.empty()
+    ? ""
+    : "Light from outside, " + NameOf(lost, traced) + (lost.lamps.size() > 1 ? "" : ",") +
+      " reached next to no front: " + Amount(lost.sum.back, MetBy(lost.sum)) +
       " of what met the surface fell on backs" + Example(lost, traced) +
       ". The front is the side that point normals look to, and only light on fronts is in the map. "
       "If the surface is a closed room, put a lamp inside (LampType and LampPosition, or a "
@@ -145,10 +143,10 @@ std::string TextOnTarget(const TracedScene& traced)
 
 std::string TextOnScattered(const TracedScene& traced)
 {
-  const ScatteredLight light = ScatteredLightOf(traced);
-  return Share(light.onBacks, light.met) <= MostScatteredOnBacks
+  const PhotonTransport::ShareOfLight onBacks = ScatteredLightOnBacks(traced);
+  return !onBacks.SurelyExceeds(MostScatteredOnBacks)
     ? ""
-    : Text(100.0 * Share(light.onBacks, light.met),
+    : Text(100.0 * onBacks.Value(),
         " % of the scattered light that met the surface fell on backs of facets, where light is "
         "not "
         "registered. Either some normals look away from the light, as those of a floor that look "
@@ -158,35 +156,35 @@ std::string TextOnScattered(const TracedScene& traced)
 
 std::vector<std::string> NotesOn(const TracedScene& traced)
 {
-  Arrivals lamps;
-  Arrivals outside;
-  const std::vector<Arrivals> arrivals = traced.run.ArrivalsByLamp();
+  ArrivedFlux lamps;
+  ArrivedFlux outside;
+  const std::vector<ArrivedFlux> arrivals = traced.run.FluxArrivedByLamp();
   for (std::size_t lamp = 0; lamp < arrivals.size(); ++lamp)
   {
     (ComesFromOutside(traced.lighting.luminaires[lamp]) ? outside : lamps) += arrivals[lamp];
   }
   std::vector<std::string> notes;
-  const auto note = [&](std::uint64_t part, std::uint64_t whole, double most, const char* what)
+  const auto note = [&](double part, double whole, double most, const char* what)
   {
     if (Share(part, whole) > most)
     {
-      notes.push_back(Amount(part, whole, traced) + what);
+      notes.push_back(Amount(part, whole) + what);
     }
   };
-  note(traced.backSide ? 0 : lamps.back, lamps.Emitted() - lamps.escaped, LostWorthANote,
+  note(traced.backSide ? 0.0 : lamps.back, MetBy(lamps), LostWorthANote,
     " of the lamps that met the surface fell on backs of facets, where light is not registered");
   note(lamps.escaped, lamps.Emitted(), EscapedWorthANote,
     " of the lamps left the scene without meeting it");
-  note(traced.backSide ? 0 : outside.back, outside.Emitted() - outside.escaped, EscapedWorthANote,
+  note(traced.backSide ? 0.0 : outside.back, MetBy(outside), EscapedWorthANote,
     " from outside that met the surface fell on backs of facets, where light is not registered");
-  const ScatteredLight scattered = ScatteredLightOf(traced);
-  note(scattered.onBacks, scattered.met, LostWorthANote,
+  const PhotonTransport::ShareOfLight scattered = ScatteredLightOnBacks(traced);
+  note(scattered.part, scattered.whole, LostWorthANote,
     " of scattered light that met the surface, each time it did, fell on backs of facets, where "
     "light is not registered");
-  const PhotonTransport::PhotonBalance balance = traced.run.Balance();
-  const std::uint64_t switchedOff =
-    std::accumulate(balance.switchedOff.begin(), balance.switchedOff.end(), std::uint64_t{ 0 });
-  note(balance.cutOff - switchedOff, balance.emitted, LostWorthANote,
+  const PhotonTransport::FluxBalance balance = traced.run.BalanceOfFlux();
+  const double switchedOff =
+    std::accumulate(balance.switchedOff.begin(), balance.switchedOff.end(), 0.0);
+  note(balance.cutOff - switchedOff, traced.run.Flux(), LostWorthANote,
     " ended at MaximumPathLength; light that total reflection keeps in a solid body does so");
   return notes;
 }
@@ -222,14 +220,14 @@ MissingLight FindMissingLight(const TracedScene& traced, PhotonTransport::StopRe
 
 void AddArrivals(vtkFieldData* output, const IlluminationRun& run)
 {
-  Arrivals sum;
-  for (const Arrivals& lamp : run.ArrivalsByLamp())
+  ArrivedFlux sum;
+  for (const ArrivedFlux& lamp : run.FluxArrivedByLamp())
   {
     sum += lamp;
   }
-  AddArray(output, "FluxOnFronts", std::vector<double>{ run.FluxOf(sum.front) });
-  AddArray(output, "FluxOnBacks", std::vector<double>{ run.FluxOf(sum.back) });
-  AddArray(output, "FluxEscaped", std::vector<double>{ run.FluxOf(sum.escaped) });
+  AddArray(output, "FluxOnFronts", std::vector<double>{ sum.front });
+  AddArray(output, "FluxOnBacks", std::vector<double>{ sum.back });
+  AddArray(output, "FluxEscaped", std::vector<double>{ sum.escaped });
 }
 
 } // namespace Illumination

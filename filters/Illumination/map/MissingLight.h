@@ -33,6 +33,10 @@ struct TracedScene;
 /// nothing or the outside of a building. There is a warning if less than 1 in 10^4 of what met the
 /// surface fell on fronts and more than half on backs, as on a closed room, or if nothing met it.
 ///
+/// A share exceeds its threshold if it does so by three standard errors of the photons that tell
+/// it, so that few photons alone are no reason for a warning (ShareOfLight). Scattered light
+/// outdoors is left out where light comes in through openings.
+///
 /// A warning also says that a run ended because nothing was lit (StopReason::NothingLit).
 ///
 /// There is a note if more than 1 % of the light of all lamps in the scene that met the surface

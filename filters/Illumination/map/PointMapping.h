@@ -2,12 +2,14 @@
 #ifndef PointMapping_h
 #define PointMapping_h
 
+#include "Illumination/pipeline/FieldArrays.h"
 #include "Illumination/surface/SceneBlock.h"
 
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -99,6 +101,17 @@ private:
   const std::vector<double>& VertexAreas;
   std::vector<double> Areas;
 };
+
+/// Adds a point array to all blocks. @param values By vertex of the scene.
+template <typename Value>
+void AddMean(const std::vector<PointMapping>& mappings, const std::string& name,
+  const std::vector<Value>& values)
+{
+  for (const PointMapping& mapping : mappings)
+  {
+    AddArray(mapping.PointArrays(), name.c_str(), mapping.Mean(values));
+  }
+}
 
 } // namespace Illumination
 

@@ -2,11 +2,14 @@
 #include "Illumination/map/SceneBlocks.h"
 
 #include "Illumination/materials/FacetMaterials.h"
+#include "Illumination/materials/OpeningCells.h"
 #include "Illumination/pipeline/InputError.h"
+#include "Illumination/pipeline/PieceNames.h"
 #include "Illumination/surface/CellExitance.h"
 #include "Illumination/surface/ComputedNormals.h"
 #include "Illumination/surface/GhostPoints.h"
 #include "Illumination/surface/InputChecks.h"
+#include "Illumination/surface/TriangleOrder.h"
 
 #include "vtkDataArray.h"
 #include "vtkNew.h"
@@ -19,11 +22,6 @@ namespace Illumination
 {
 namespace
 {
-
-std::string NameOf(const char* what, vtkIdType id, const SceneBlock& block)
-{
-  return what + (" " + std::to_string(id)) + block.name;
-}
 
 /// How many cells were none for being ghosts, as the end of a message.
 std::string GhostsOf(const std::vector<SceneBlock>& blocks)
@@ -78,6 +76,7 @@ SceneBlocks::SceneBlocks(vtkDataObject* data, const SurfaceDescription& descript
       "the input has no polygons or triangle strips with an area to light" + GhostsOf(this->Unlit));
   }
   DescribeMaterials(this->Parts, description, this->All);
+  DescribeOpenings(this->Parts, description, this->All);
   this->AppendUnlit();
   this->LendVertices();
 }
@@ -98,8 +97,9 @@ void SceneBlocks::Append(SceneBlock block, const SurfaceDescription& description
     return;
   }
   block.normalsWereComputed = !given;
+  const vtkSmartPointer<vtkPolyData> ordered = OrderedByPlace(triangles.mesh, block.data);
   const vtkSmartPointer<vtkPolyData> mesh =
-    given ? triangles.mesh : WithNormals(triangles.mesh, description.featureAngle);
+    given ? ordered : WithNormals(ordered, description.featureAngle);
   block.firstVertex = this->All.points.size();
   block.firstFacet = this->All.facets.size();
   block.pointOfVertex = PointsOfTriangles(mesh);
@@ -161,7 +161,7 @@ std::string SceneBlocks::NameOfFacet(std::size_t facet) const
   const auto after = std::upper_bound(this->Parts.begin(), this->Parts.end(), facet,
     [](std::size_t f, const SceneBlock& block) { return f < block.firstFacet; });
   const SceneBlock& block = *(after - 1);
-  return NameOf("cell", block.cellOfFacet[facet - block.firstFacet], block);
+  return NameOfCell(block.data, block.cellOfFacet[facet - block.firstFacet], block.name);
 }
 
 std::string SceneBlocks::NameOfVertex(std::size_t vertex) const
@@ -169,7 +169,21 @@ std::string SceneBlocks::NameOfVertex(std::size_t vertex) const
   const auto after = std::upper_bound(this->Parts.begin(), this->Parts.end(), vertex,
     [](std::size_t v, const SceneBlock& block) { return v < block.firstVertex; });
   const SceneBlock& block = *(after - 1);
-  return NameOf("point", block.pointOfVertex[vertex - block.firstVertex], block);
+  return NameOfPoint(block.data, block.pointOfVertex[vertex - block.firstVertex], block.name);
+}
+
+std::string SceneBlocks::WordsFor(const PhotonTransport::InvalidInput& error) const
+{
+  using Where = PhotonTransport::InvalidInput::Where;
+  switch (error.Kind)
+  {
+    case Where::Facet:
+      return this->NameOfFacet(error.Index) + ": " + error.what();
+    case Where::Point:
+      return this->NameOfVertex(error.Index) + ": " + error.what();
+    default:
+      return error.what();
+  }
 }
 
 } // namespace Illumination

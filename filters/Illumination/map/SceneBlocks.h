@@ -5,6 +5,7 @@
 #include "Illumination/surface/SceneBlock.h"
 #include "Illumination/surface/SurfaceDescription.h"
 
+#include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/scene/Surface.h"
 
 #include <string>
@@ -30,6 +31,8 @@ public:
   /// "cell 7 of block 2": a facet or vertex of the surface in the user's terms.
   std::string NameOfFacet(std::size_t facet) const;
   std::string NameOfVertex(std::size_t vertex) const;
+  /// The core's complaint with the user's name for the place.
+  std::string WordsFor(const PhotonTransport::InvalidInput& error) const;
 
 private:
   void Append(SceneBlock block, const SurfaceDescription& description);

@@ -3,6 +3,7 @@
 
 #include "Illumination/materials/MaterialCells.h"
 #include "Illumination/pipeline/InputError.h"
+#include "Illumination/pipeline/PieceNames.h"
 #include "Illumination/surface/InputChecks.h"
 
 #include "PhotonTransport/materials/MaterialProperties.h"
@@ -135,7 +136,7 @@ void DescribeMaterials(
     {
       const auto refuse = [&](const std::string& problem)
       {
-        throw InputError("cell " + std::to_string(cell) + block.name + ": " + problem +
+        throw InputError(NameOfCell(block.data, cell, block.name) + ": " + problem +
           NoteOnArray(description.reflectanceArray));
       };
       surface.materialOfFacet.push_back(index.Of(materials.Of(cell), refuse));

@@ -67,6 +67,15 @@ Material ClearGlass()
   return material;
 }
 
+/// Lets all light through, as if nothing were there.
+Material Nothing()
+{
+  Material material;
+  material.clearTransmittance = Colour(1.0f);
+  material.refractiveIndex = 1.0f;
+  return material;
+}
+
 } // namespace
 
 Material MaterialOf(MaterialPreset preset)
@@ -97,6 +106,8 @@ Material MaterialOf(MaterialPreset preset)
       // What the pane of clear glass does to light from all sides by Fresnel's formulae, now
       // without direction; prismatic glass transmits 0.70 to 0.90 and reflects 0.05 to 0.20, DIAL.
       return Translucent(0.15f, 0.81f);
+    case MaterialPreset::Opening:
+      return Nothing();
     default: // MID_GREY: custom of lighting design for walls (ceiling 0.7, walls 0.5, floor 0.2)
       return Matt(0.5f);
   }

@@ -20,7 +20,8 @@ enum class MaterialPreset
   Aluminium,
   Mirror,
   ClearGlass,
-  FrostedGlass
+  FrostedGlass,
+  Opening
 };
 
 PhotonTransport::Material MaterialOf(MaterialPreset preset);

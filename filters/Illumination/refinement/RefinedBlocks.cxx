@@ -19,11 +19,27 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace Illumination
 {
 namespace
 {
+
+vtkIdType CellOf(std::size_t fine, const RefinementBlock& block, const FinePart& part)
+{
+  return block.cellOfFacet[part.fine.origins[fine].facet - block.firstFacet];
+}
+
+/// The facets of a part in the order of the block's cells, which may not be that of the mesh.
+std::vector<std::size_t> ByCell(const RefinementBlock& block, const FinePart& part)
+{
+  std::vector<std::size_t> facets(part.end - part.first);
+  std::iota(facets.begin(), facets.end(), part.first);
+  std::stable_sort(facets.begin(), facets.end(),
+    [&](std::size_t a, std::size_t b) { return CellOf(a, block, part) < CellOf(b, block, part); });
+  return facets;
+}
 
 /// The cells of a refined block, and the cells that they come from.
 struct RefinedCells
@@ -40,13 +56,13 @@ struct RefinedCells
     {
       this->origins->InsertNextId(cell);
     }
-    for (std::size_t f = part.first; f < part.end; ++f)
+    for (const std::size_t f : ByCell(block, part))
     {
       const glm::uvec3& corners = part.fine.facets[f];
       const vtkIdType ids[3] = { idOfFinePoint[corners.x], idOfFinePoint[corners.y],
         idOfFinePoint[corners.z] };
       this->polygons->InsertNextCell(3, ids);
-      this->origins->InsertNextId(block.cellOfFacet[part.fine.origins[f].facet - block.firstFacet]);
+      this->origins->InsertNextId(CellOf(f, block, part));
     }
     this->AddWhole(block, first);
   }
@@ -182,8 +198,8 @@ vtkSmartPointer<vtkPolyData> RefinedBlock(const RefinementBlock& block, const Fi
 
 } // namespace
 
-std::vector<vtkSmartPointer<vtkPolyData>> RefinedBlocks(
-  const RefinementBlocks& blocks, const PhotonTransport::RefinedMesh& fine)
+std::vector<vtkSmartPointer<vtkPolyData>> RefinedBlocks(const RefinementBlocks& blocks,
+  const PhotonTransport::RefinedMesh& fine, std::vector<vtkIdType>* pointOfFine)
 {
   const PhotonTransport::TriangleMesh mesh = blocks.Mesh();
   // One precision for all, since a point on an edge between two blocks is one place.
@@ -206,6 +222,10 @@ std::vector<vtkSmartPointer<vtkPolyData>> RefinedBlocks(
     }
     result.push_back(RefinedBlock(block, { mesh, fine, first, end }, precision, idOfFinePoint));
     first = end;
+  }
+  if (pointOfFine)
+  {
+    *pointOfFine = std::move(idOfFinePoint);
   }
   return result;
 }

@@ -43,22 +43,6 @@ vtkSmartPointer<vtkPolyData> WithCopies(const NamedSurface& block)
   return data;
 }
 
-void RequireSizes(
-  vtkDataSetAttributes* arrays, vtkIdType wanted, const char* kind, const std::string& block)
-{
-  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* array = arrays->GetAbstractArray(i);
-    if (array->GetNumberOfTuples() != wanted)
-    {
-      const std::string name = array->GetName() ? array->GetName() : "";
-      throw InputError(std::string(kind) + " array '" + name + "'" + block + " has " +
-        std::to_string(array->GetNumberOfTuples()) + " values for " + std::to_string(wanted) + " " +
-        kind + "s");
-    }
-  }
-}
-
 } // namespace
 
 RefinementBlocks::RefinementBlocks(vtkDataObject* data, double featureAngle)
@@ -73,11 +57,26 @@ RefinementBlocks::RefinementBlocks(vtkDataObject* data, double featureAngle)
   }
 }
 
+RefinementBlocks::RefinementBlocks(
+  const PhotonTransport::Surface& surface, const std::vector<SceneBlock>& blocks)
+  : Points(surface.points)
+  , Normals(surface.normals)
+  , Facets(surface.facets)
+  , Rounding(surface.rounding)
+{
+  for (const SceneBlock& block : blocks)
+  {
+    vtkDataArray* normals =
+      block.normalsWereComputed ? nullptr : CheckedNormals(block.data, block.name);
+    this->Parts.push_back({ block, normals, block.firstVertex, block.firstFacet,
+      block.pointOfVertex, block.cellOfFacet });
+  }
+}
+
 void RefinementBlocks::Append(const NamedSurface& part, double featureAngle)
 {
   RequireValidCells(part.data, part.name);
-  RequireSizes(part.data->GetPointData(), part.data->GetNumberOfPoints(), "point", part.name);
-  RequireSizes(part.data->GetCellData(), part.data->GetNumberOfCells(), "cell", part.name);
+  RequireArraySizes(part.data, part.name);
   vtkDataArray* given = CheckedNormals(part.data, part.name);
   vtkSmartPointer<vtkPolyData> mesh = TrianglesOf(WithCopies(part), given, part.name).mesh;
   if (!given && mesh->GetNumberOfPolys() > 0)

@@ -2,9 +2,11 @@
 #ifndef RefinementBlocks_h
 #define RefinementBlocks_h
 
+#include "Illumination/surface/SceneBlock.h"
 #include "Illumination/surface/SurfaceParts.h"
 
 #include "PhotonTransport/refinement/MeshEdges.h"
+#include "PhotonTransport/scene/Surface.h"
 
 #include "vtkType.h"
 
@@ -39,6 +41,9 @@ public:
   /// Throws InputError. @param data A vtkPolyData or a composite data set; must outlive this.
   /// @param featureAngle Degrees, for blocks without normals; see WithNormals.
   RefinementBlocks(vtkDataObject* data, double featureAngle);
+  /// The blocks of a scene. Duplicates of other blocks' cells are no part of it.
+  /// @param surface That of the blocks, as it was given.
+  RefinementBlocks(const PhotonTransport::Surface& surface, const std::vector<SceneBlock>& blocks);
 
   PhotonTransport::TriangleMesh Mesh() const
   {

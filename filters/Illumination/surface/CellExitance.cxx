@@ -2,6 +2,7 @@
 #include "Illumination/surface/CellExitance.h"
 
 #include "Illumination/pipeline/InputError.h"
+#include "Illumination/pipeline/PieceNames.h"
 #include "Illumination/surface/InputChecks.h"
 
 #include "vtkDataArray.h"
@@ -25,8 +26,8 @@ std::vector<PhotonTransport::Colour> ExitanceOf(
       if (!(value >= 0.0 && value <= double{ VTK_FLOAT_MAX })) // NaN too
       {
         std::ostringstream message;
-        message << "cell " << cell << block.name << ": exitance " << value << " in array '" << array
-                << "' is outside [0, " << VTK_FLOAT_MAX << "]";
+        message << NameOfCell(block.data, cell, block.name) << ": exitance " << value
+                << " in array '" << array << "' is outside [0, " << VTK_FLOAT_MAX << "]";
         throw InputError(message.str());
       }
       colour[c] = static_cast<float>(value);

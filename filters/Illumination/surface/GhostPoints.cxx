@@ -248,9 +248,9 @@ std::vector<GhostPoints> FindGhostPoints(const std::vector<NamedSurface>& blocks
   }
   std::vector<BlockPoints> points;
   points.reserve(blocks.size());
-  for (const auto& [data, name] : blocks)
+  for (const NamedSurface& block : blocks)
   {
-    points.emplace_back(data, name);
+    points.emplace_back(block.data, block.name);
   }
   Owners owners(points);
   std::vector<GhostPoints> found(blocks.size());

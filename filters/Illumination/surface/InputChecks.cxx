@@ -7,6 +7,7 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -33,7 +34,29 @@ void RequireConsistency(vtkCellArray* cells, const std::string& what)
   }
 }
 
+void RequireSizes(
+  vtkDataSetAttributes* arrays, vtkIdType wanted, const char* kind, const std::string& block)
+{
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = arrays->GetAbstractArray(i);
+    if (array->GetNumberOfTuples() != wanted)
+    {
+      const std::string name = array->GetName() ? array->GetName() : "";
+      throw InputError(std::string(kind) + " array '" + name + "'" + block + " has " +
+        std::to_string(array->GetNumberOfTuples()) + " values for " + std::to_string(wanted) + " " +
+        kind + "s");
+    }
+  }
+}
+
 } // namespace
+
+void RequireArraySizes(vtkPolyData* data, const std::string& block)
+{
+  RequireSizes(data->GetPointData(), data->GetNumberOfPoints(), "point", block);
+  RequireSizes(data->GetCellData(), data->GetNumberOfCells(), "cell", block);
+}
 
 void RequireValidCells(vtkPolyData* data, const std::string& block)
 {

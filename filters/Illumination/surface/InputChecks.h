@@ -19,6 +19,9 @@ namespace Illumination
 /// @param block How messages name the data: " of block 2", or "".
 void RequireValidCells(vtkPolyData* data, const std::string& block);
 
+/// Throws InputError unless all point and cell arrays have a tuple for each point and cell.
+void RequireArraySizes(vtkPolyData* data, const std::string& block);
+
 /// Throws InputError, which names the point and the cell, for a corner whose coordinates are not
 /// all finite. VTK's filters would leave a hole or compute NaN.
 void RequireFiniteCorners(vtkPolyData* data, vtkIdType size, const vtkIdType* corners,

@@ -14,8 +14,9 @@ struct SurfaceDescription
 {
   PhotonTransport::Material material; ///< Where no array says otherwise.
   std::string reflectanceArray;       ///< Empty: DiffuseReflectance, where materialArrays.
-  bool materialArrays = true;         ///< Whether arrays named as MaterialProperties count.
-  std::string exitanceArray;          ///< Empty: nothing emits.
+  /// Whether arrays named as MaterialProperties count, and the array Opening.
+  bool materialArrays = true;
+  std::string exitanceArray; ///< Empty: nothing emits.
   double metresPerUnit = 1.0;
   double featureAngle = 30.0; ///< Degrees.
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Illumination/surface/SurfaceParts.h"
 
+#include "Illumination/pipeline/PieceNames.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCompositeDataIterator.h"
@@ -27,8 +29,8 @@ SurfaceParts PartsOf(vtkDataObject* data)
     {
       if (auto* block = vtkPolyData::SafeDownCast(it->GetCurrentDataObject()))
       {
-        const std::string name = " of block " + std::to_string(it->GetCurrentFlatIndex());
-        parts.surfaces.push_back({ block, name });
+        const unsigned number = it->GetCurrentFlatIndex();
+        parts.surfaces.push_back({ block, NameOfBlock(block, number), number });
       }
       else
       {

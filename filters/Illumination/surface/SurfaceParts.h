@@ -18,7 +18,8 @@ namespace Illumination
 struct NamedSurface
 {
   vtkPolyData* data;
-  std::string name; ///< For messages: " of block 2", or "" where there is only one.
+  std::string name;    ///< For messages: " of block 2", or "" where there is only one.
+  unsigned number = 0; ///< Of the block: its flat index.
 };
 
 struct SurfaceParts

@@ -14,8 +14,9 @@ namespace PhotonTransport
 class PhotonNoise
 {
 public:
-  /// @param lumens What a photon brings to the facet that it hits, in units of area times lx.
-  PhotonNoise(const SmoothingGraph& graph, double lumens);
+  /// @param lumens [patch] What a photon brings to the facet that it hits, in units of area times
+  /// lx.
+  PhotonNoise(const SmoothingGraph& graph, const std::vector<double>& lumens);
 
   /// q = lumens / A: one photon, counted for one vertex alone, lx. 0 for a vertex without an area.
   double OnePhoton(std::size_t v) const { return this->Photon[v]; }
@@ -29,13 +30,15 @@ private:
   std::vector<float> Photon;
 };
 
-/// Lumens a photon from the photons counted on the facets around the vertices. Each counts for
-/// three vertices, while its light is shared among them.
-double LumensPerPhoton(const SmoothingGraph& graph, const std::vector<double>& illuminance,
-  const std::vector<double>& hits);
+/// [patch] Lumens a photon from the photons counted on the facets around the vertices. Each counts
+/// for three vertices, while its light is shared among them. All patches have the mean of the whole
+/// map, but for those whose own is more than twice as large or small: there photons start with
+/// another flux, such as those that come in through openings.
+std::vector<double> LumensPerPhoton(const SmoothingGraph& graph,
+  const std::vector<double>& illuminance, const std::vector<double>& hits);
 
 /// The same where the photons were not counted, from the noise: sum(A^2 var X) = lumens / 2 sum(A
-/// X) where Poisson's law holds.
-double LumensPerPhoton(const SmoothingGraph& graph, const GroupColumns& map);
+/// X) where Poisson's law holds. All patches have the same.
+std::vector<double> LumensPerPhoton(const SmoothingGraph& graph, const GroupColumns& map);
 
 } // namespace PhotonTransport

@@ -61,6 +61,7 @@ SmoothingGraph::SmoothingGraph(
   : Areas(points.size())
   , InverseAreas(points.size())
   , First(points.size() + 1, 0)
+  , AtBorder(points.size(), 0)
 {
   RequireFinite(points, facets);
   const RingEdges rings(points, facets, creaseAngle);
@@ -77,6 +78,7 @@ SmoothingGraph::SmoothingGraph(const SmoothingGraph& graph, const VertexOrder& o
   , First(graph.First.size(), 0)
   , Edges(graph.Edges.size())
   , Patch(order.Ordered(graph.Patch))
+  , AtBorder(order.Ordered(graph.AtBorder))
   , PatchCount(graph.PatchCount)
 {
   for (std::size_t place = 0; place < graph.Vertices(); ++place)
@@ -149,6 +151,10 @@ void SmoothingGraph::Connect(const RingEdges& rings)
       for (std::size_t v = first; v < last; ++v)
       {
         rings.At(static_cast<std::uint32_t>(v), edges);
+        const auto isBorder = [&](const RingEdge& edge)
+        { return edge.rim || !Conducts(edge, crossings[v], crossings[edge.neighbour]); };
+        this->AtBorder[v] =
+          crossings[v] == Crossing::Free && std::any_of(edges.begin(), edges.end(), isBorder);
         Edge* next = this->Edges.data() + rings.FirstPlace(static_cast<std::uint32_t>(v));
         for (const RingEdge& edge : edges)
         {

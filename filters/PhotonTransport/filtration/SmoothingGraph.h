@@ -51,6 +51,8 @@ public:
   /// Smooth patch of each vertex, [0, Patches()).
   const std::vector<std::uint32_t>& PatchOfVertex() const { return this->Patch; }
   std::size_t Patches() const { return this->PatchCount; }
+  /// Whether light spreads from the vertex to one side only: it is on a rim, or beside a crease.
+  bool IsAtBorder(std::size_t vertex) const { return this->AtBorder[vertex] != 0; }
 
   /// Mean vertex area over that of the vertex; 0 for a vertex without an area.
   float InverseArea(std::size_t vertex) const { return this->InverseAreas[vertex]; }
@@ -76,6 +78,7 @@ private:
   std::vector<std::uint64_t> First; ///< Of each vertex in Edges, and their number.
   std::vector<Edge> Edges;
   std::vector<std::uint32_t> Patch;
+  std::vector<std::uint8_t> AtBorder;
   std::size_t PatchCount = 0;
 };
 

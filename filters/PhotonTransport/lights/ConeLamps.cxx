@@ -60,4 +60,22 @@ Ray ConeEmitter::Emit(const PhotonSample& sample, const Share&) const
       PowerCosineCone(sample.Emission(0), sample.Emission(1), this->exponent, this->cosMax)));
 }
 
+Incidence ConeEmitter::Arriving(const glm::dvec3& point, float, float) const
+{
+  const glm::dvec3 way = point - this->position;
+  const double d2 = glm::dot(way, way);
+  const double cosine = glm::dot(way, glm::dvec3(this->axis.normal)) / std::sqrt(d2);
+  const double edge = this->cosMax;
+  if (!(cosine >= edge && d2 > 0.0))
+  {
+    return {};
+  }
+  // The density of PowerCosineCone. Only a cone beyond a right angle has a negative edge, and it
+  // has no exponent.
+  const double n = this->exponent;
+  const double whole = 2.0 * Pi * (n == 0.0 ? 1.0 - edge : 1.0 - std::pow(edge, n + 1.0));
+  const double intensity = (n + 1.0) * (n == 0.0 ? 1.0 : std::pow(cosine, n)) / whole;
+  return { point, this->position, intensity / d2 };
+}
+
 } // namespace PhotonTransport

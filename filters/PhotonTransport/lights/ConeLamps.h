@@ -14,6 +14,8 @@ struct ConeEmitter : LuminaireColoured
   float exponent;
   float cosMax;
   Ray Emit(const PhotonSample& sample, const Share&) const;
+  static constexpr PlaceNumbers Numbers = PlaceNumbers::None;
+  Incidence Arriving(const glm::dvec3& point, float, float) const;
 };
 
 /// The same intensity in all directions: I = flux / (4 pi).

@@ -193,6 +193,34 @@ double DirectionTable::AzimuthAt(std::size_t band, double below, double share) c
   return this->Azimuth[z] + width * LinearInverse(value(z), value(z + 1), within);
 }
 
+double DirectionTable::Value(const glm::dvec2& angles) const
+{
+  constexpr double Rounding = 1e-9; // an edge of the grid belongs to it
+  constexpr double Turn = 4.0 * HalfPi;
+  const double first = this->Azimuth.front();
+  const double polar = angles.x;
+  double azimuth = angles.y - Turn * std::floor((angles.y - first + Rounding) / Turn);
+  if (polar < this->Rings.front().angle - Rounding || polar > this->Rings.back().angle + Rounding ||
+    azimuth > this->Azimuth.back() + Rounding)
+  {
+    return 0.0;
+  }
+  azimuth = std::clamp(azimuth, first, this->Azimuth.back());
+  const auto ring = std::upper_bound(this->Rings.begin() + 1, this->Rings.end() - 1, polar,
+    [](double angle, const Ring& r) { return angle < r.angle; });
+  const auto column = std::upper_bound(this->Azimuth.begin() + 1, this->Azimuth.end() - 1, azimuth);
+  const double below =
+    std::clamp((polar - ring[-1].angle) / (ring->angle - ring[-1].angle), 0.0, 1.0);
+  const double beside = (azimuth - column[-1]) / (*column - column[-1]);
+  const Node* lower =
+    &this->Nodes[static_cast<std::size_t>(ring - this->Rings.begin()) * this->Azimuth.size() +
+      static_cast<std::size_t>(column - this->Azimuth.begin())];
+  const Node* upper = lower - this->Azimuth.size();
+  const auto between = [&](const Node* node)
+  { return (1.0 - beside) * node[-1].value + beside * node->value; };
+  return (1.0 - below) * between(upper) + below * between(lower);
+}
+
 glm::dvec2 DirectionTable::Sample(double u, double v) const
 {
   std::size_t band = 0;

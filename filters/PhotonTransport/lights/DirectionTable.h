@@ -36,6 +36,10 @@ public:
   /// Polar angle and azimuth, radians. Integral() must not be 0. @param u, v In [0, 1).
   glm::dvec2 Sample(double u, double v) const;
 
+  /// The value in a direction; 0 beyond the grid. @param angles Polar angle and azimuth, radians;
+  /// the azimuth may be off by whole turns.
+  double Value(const glm::dvec2& angles) const;
+
 private:
   /// One polar angle of the grid.
   struct Ring
@@ -73,6 +77,16 @@ inline glm::vec3 UnitDirection(const glm::dvec2& angles, const glm::dvec3& azimu
   const double sine = std::sin(angles.x);
   return glm::normalize(glm::vec3(std::cos(angles.x) * pole +
     sine * (std::cos(angles.y) * azimuth0 + std::sin(angles.y) * azimuth90)));
+}
+
+/// Polar angle and azimuth of a direction of any length but 0, radians; the inverse of
+/// UnitDirection.
+inline glm::dvec2 AnglesOf(const glm::dvec3& direction, const glm::dvec3& azimuth0,
+  const glm::dvec3& azimuth90, const glm::dvec3& pole)
+{
+  const double x = glm::dot(direction, azimuth0);
+  const double y = glm::dot(direction, azimuth90);
+  return { std::atan2(std::hypot(x, y), glm::dot(direction, pole)), std::atan2(y, x) };
 }
 
 } // namespace PhotonTransport

@@ -3,6 +3,7 @@
 
 #include "PhotonTransport/scene/InvalidInput.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -57,30 +58,102 @@ Prepared<LampEmitter> PreparedLamp(const Luminaire& luminaire, const Scene& scen
 
 } // namespace
 
-Emitter::Emitter(const Lighting& lighting, const Scene& scene, bool colour)
+Emitter::Emitter(const Lighting& lighting, const Scene& scene, bool colour, Openings openings)
+  : OpeningsToSky(std::move(openings))
 {
-  std::vector<double> fluxes;
   for (const Luminaire& luminaire : lighting.luminaires)
   {
     Prepared<LampEmitter> prepared = PreparedLamp(luminaire, scene);
     this->Emitters.push_back(std::move(prepared.emitter));
-    fluxes.push_back(prepared.flux);
+    this->Fluxes.push_back(prepared.flux);
     this->TotalFlux += prepared.flux;
     if (colour)
     {
       this->ChannelEnds.push_back(ChannelEndsOf(luminaire.colour));
     }
   }
-  if (fluxes.empty())
+  if (this->Fluxes.empty())
   {
     throw InvalidInput(InvalidInput::Where::LampSettings, 0, "there is no lamp");
   }
-  if (fluxes.size() > 1)
+  if (this->Fluxes.size() > 1)
   {
     // If all lamps are dark, the first one emits photons without flux.
+    std::vector<double> fluxes = this->Fluxes;
     fluxes.front() = this->TotalFlux > 0.0 ? fluxes.front() : 1.0;
     this->Table = FluxTable(fluxes);
   }
+  this->SourceFluxes = this->Fluxes;
+  this->StartWeightOfSource.assign(this->Fluxes.size(), 1.0f);
+  if (!this->OpeningsToSky.IsEmpty() && this->TotalFlux > 0.0)
+  {
+    this->AddParts();
+  }
+}
+
+/// The parts of lamps that come through openings, if there is one that does.
+void Emitter::AddParts()
+{
+  for (const LightPart part : { LightPart::Straight, LightPart::Scattered })
+  {
+    for (const LampEmitter& lamp : this->Emitters)
+    {
+      this->Through.push_back(EmitterThroughOpenings(this->OpeningsToSky, lamp, part));
+    }
+  }
+  if (std::none_of(
+        this->Through.begin(), this->Through.end(), [](const auto& part) { return part; }))
+  {
+    this->Through.clear();
+    return;
+  }
+  for (std::size_t i = 0; i < this->Through.size(); ++i)
+  {
+    this->SourceFluxes.push_back(
+      this->Through[i] ? this->Through[i]->FluxPerLumen() * this->Fluxes[i % this->Lamps()] : 0.0);
+  }
+  this->SetPhotonShares(this->SourceFluxes);
+}
+
+void Emitter::SetPhotonShares(const std::vector<double>& shares)
+{
+  double sum = 0.0;
+  for (const double share : shares)
+  {
+    sum += share;
+  }
+  this->Table = FluxTable(shares);
+  this->StartWeightOfSource.clear();
+  for (std::size_t source = 0; source < shares.size(); ++source)
+  {
+    const double ofPhotons = shares[source] / sum;
+    const double ofFlux = this->SourceFluxes[source] / this->TotalFlux;
+    this->StartWeightOfSource.push_back(
+      ofPhotons > 0.0 ? static_cast<float>(ofFlux / ofPhotons) : 0.0f);
+  }
+}
+
+Emission Emitter::EmitThroughOpening(
+  const PhotonSample& sample, std::uint32_t source, const Share& share) const
+{
+  Emission emission;
+  emission.source = source;
+  emission.ray = this->ThroughOpenings(source)->Emit(sample, share);
+  if (!this->ChannelEnds.empty())
+  {
+    emission.channel = this->ChooseChannel(sample, this->LampOf(source), share);
+  }
+  return emission;
+}
+
+Colour Emitter::ChannelShares(std::size_t lamp, const Colour* own) const
+{
+  if (this->ChannelEnds.empty())
+  {
+    return { 1.0f, 0.0f, 0.0f };
+  }
+  const Colour ends = own ? ChannelEndsOf(*own) : this->ChannelEnds[lamp];
+  return { ends.x, ends.y - ends.x, ends.z - ends.y };
 }
 
 std::uint32_t Emitter::ChooseChannel(

@@ -195,4 +195,41 @@ Ray MeshEmitter::Emit(const PhotonSample& sample, const Share& share) const
   return RayFrom(triangle.corner + b.x * triangle.u + b.y * triangle.v, direction);
 }
 
+ShiningTriangle FacetEmitter::Shape(std::size_t chosen) const
+{
+  const Facet& facet = this->scene->Facets()[this->facets[chosen]];
+  const auto corner = [&](int c)
+  { return glm::dvec3(this->scene->Vertices()[facet.vertices[c]].position); };
+  const glm::dvec3 first = corner(0);
+  return { first, corner(1) - first, corner(2) - first, glm::dvec3(facet.normal) };
+}
+
+Incidence FacetEmitter::Arriving(
+  const glm::dvec3& point, float u, float v, std::size_t chosen) const
+{
+  const ShiningTriangle::Seen seen = this->Shape(chosen).From(point, u, v);
+  if (!(seen.perLumen > 0.0))
+  {
+    return {};
+  }
+  const glm::vec2 b(seen.barycentric);
+  const glm::vec3 barycentric(std::max(0.0f, 1.0f - b.x - b.y), b.x, b.y);
+  // Seen in the facet's plane, so that the facet is not seen from itself and its like.
+  Incidence incidence(point, seen.place, seen.perLumen);
+  incidence.place = glm::dvec3(this->scene->SafeOrigin(this->facets[chosen], barycentric, true));
+  return incidence;
+}
+
+ShiningTriangle MeshEmitter::Shape(std::size_t chosen) const
+{
+  const Triangle& triangle = this->triangles[chosen];
+  return { triangle.corner, triangle.u, triangle.v, glm::dvec3(triangle.normal) };
+}
+
+Incidence MeshEmitter::Arriving(const glm::dvec3& point, float u, float v, std::size_t chosen) const
+{
+  const ShiningTriangle::Seen seen = this->Shape(chosen).From(point, u, v);
+  return seen.perLumen > 0.0 ? Incidence(point, seen.place, seen.perLumen) : Incidence();
+}
+
 } // namespace PhotonTransport

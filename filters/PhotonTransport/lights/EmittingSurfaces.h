@@ -3,6 +3,7 @@
 
 #include "PhotonTransport/lights/FluxTable.h"
 #include "PhotonTransport/lights/LampKind.h"
+#include "PhotonTransport/lights/ShiningTriangle.h"
 
 namespace PhotonTransport
 {
@@ -16,6 +17,11 @@ struct FacetEmitter
   std::uint32_t FacetOf(const PhotonSample& sample, const Share& share) const;
   Ray Emit(const PhotonSample& sample, const Share& share) const;
   const Colour* OwnColour(const PhotonSample& sample, const Share& share) const;
+  static constexpr PlaceNumbers Numbers = PlaceNumbers::Two;
+  /// Of one of `facets`, for 1 lm of its own flux. The place is where photons start: clear of the
+  /// facet, on its front.
+  Incidence Arriving(const glm::dvec3& point, float u, float v, std::size_t chosen) const;
+  ShiningTriangle Shape(std::size_t chosen) const;
 };
 
 /// Lambertian photons from triangles that are not part of the scene.
@@ -29,6 +35,10 @@ struct MeshEmitter : LuminaireColoured
   std::vector<Triangle> triangles;
   FluxTable table;
   Ray Emit(const PhotonSample& sample, const Share& share) const;
+  static constexpr PlaceNumbers Numbers = PlaceNumbers::Two;
+  /// Of one of `triangles`, for 1 lm of its own flux.
+  Incidence Arriving(const glm::dvec3& point, float u, float v, std::size_t chosen) const;
+  ShiningTriangle Shape(std::size_t chosen) const;
 };
 
 /// The surface's own facets shine from their fronts, each with its Surface::exitance.

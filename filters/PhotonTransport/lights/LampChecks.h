@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/geometry/Pi.h"
 #include "PhotonTransport/scene/Scene.h"
 
 #include <glm/vec3.hpp>
@@ -12,8 +13,6 @@ namespace PhotonTransport
 
 // Checks of the numbers that describe a lamp. Each throws InvalidInput that names what is wrong and
 // its value, and otherwise returns the value in the scene's terms.
-
-constexpr double Pi = 3.14159265358979323846;
 
 /// Rounding of scene coordinates, with room to spare.
 constexpr double FloatSlack = 1e-6;

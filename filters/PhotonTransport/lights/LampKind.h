@@ -16,10 +16,21 @@
 //  - Emit(sample, share): one photon's ray, in the scene's coordinates
 //  - OwnColour(sample, share): the colour of the place where that photon starts, or nullptr where
 //    photons have the colour of the luminaire (derive from LuminaireColoured)
+// and what tells how the same light arrives at a point:
+//  - Numbers: how many numbers choose a place on the lamp
+//  - Arriving(point, u, v): the light of such a place at a point, in the scene's coordinates; u and
+//    v are in [0, 1). What shines from triangles takes one of them as a further argument
+//  - Unobstructed(point, normal), for lamps whose places take numbers: the illuminance of a surface
+//    with that normal at the point by all of the lamp, in a closed form; nothing where there is
+//    none
+//  - RadiancePerLumen(towards), in place of these, for skies: luminance for 1 lm of flux, times
+//    what makes the integral of luminance and cosine an illuminance per scene unit squared; 0 where
+//    there is no sky
 #pragma once
 
 #include "PhotonTransport/geometry/Frame.h"
 #include "PhotonTransport/geometry/Similarity.h"
+#include "PhotonTransport/lights/Incidence.h"
 #include "PhotonTransport/materials/Colour.h"
 
 #include <glm/vec3.hpp>

@@ -13,6 +13,9 @@ struct LineEmitter : LuminaireColoured
   glm::dvec3 halfAxis;
   Frame frame; ///< About the axis.
   Ray Emit(const PhotonSample& sample, const Share&) const;
+  static constexpr PlaceNumbers Numbers = PlaceNumbers::One;
+  Incidence Arriving(const glm::dvec3& point, float u, float) const;
+  std::optional<double> Unobstructed(const glm::dvec3& point, const glm::dvec3& normal) const;
 };
 
 /// A thin diffuse tube: intensity falls as the sine of the angle to its axis.

@@ -16,6 +16,20 @@ struct PanelEmitter : LuminaireColoured
   glm::dvec3 acrossU, acrossV; ///< Half-axes.
   bool round;
   Ray Emit(const PhotonSample& sample, const Share&) const;
+  static constexpr PlaceNumbers Numbers = PlaceNumbers::Two;
+  /// From near by places have even density by solid angle (a rectangle) or nearly so (a disk), so
+  /// that the illuminance stays bounded; from far they have even density by area.
+  Incidence Arriving(const glm::dvec3& point, float u, float v) const;
+
+  std::optional<double> Unobstructed(const glm::dvec3& point, const glm::dvec3& normal) const;
+
+private:
+  bool IsNear(const glm::dvec3& way, double height) const;
+  Incidence FromRectangle(
+    const glm::dvec3& point, const glm::dvec3& normal, double height, float u, float v) const;
+  Incidence FromDisk(
+    const glm::dvec3& point, const glm::dvec3& normal, double height, float u, float v) const;
+  Incidence ByArea(const glm::dvec3& point, const glm::dvec3& normal, float u, float v) const;
 };
 
 /// A Lambertian panel that shines to one side and stops no photons itself.

@@ -42,10 +42,10 @@ Prepared<ParallelEmitter> ParallelLight::Prepare(const Scene& scene) const
   const auto radius = static_cast<float>(circle.radius);
   const glm::dvec3 centre = circle.centre.x * glm::dvec3(frame.tangent) +
     circle.centre.y * glm::dvec3(frame.bitangent) - SceneRadius * towards;
-  const double area = Pi * circle.radius * circle.radius * scene.SquareMetresPerSceneArea();
-  return { { {}, glm::vec3(centre), radius * frame.tangent, radius * frame.bitangent,
-             frame.normal },
-    CheckedAmount(this->illuminance, "illuminance") * area };
+  const double area = Pi * circle.radius * circle.radius;
+  return { { {}, glm::vec3(centre), radius * frame.tangent, radius * frame.bitangent, frame.normal,
+             area },
+    CheckedAmount(this->illuminance, "illuminance") * area * scene.SquareMetresPerSceneArea() };
 }
 
 Ray ParallelEmitter::Emit(const PhotonSample& sample, const Share&) const

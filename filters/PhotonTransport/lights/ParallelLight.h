@@ -12,7 +12,13 @@ struct ParallelEmitter : LuminaireColoured
   glm::vec3 centre;
   glm::vec3 acrossU, acrossV; ///< The disk's half-axes.
   glm::vec3 direction;
+  double area; ///< Of the disk.
   Ray Emit(const PhotonSample& sample, const Share&) const;
+  static constexpr PlaceNumbers Numbers = PlaceNumbers::None;
+  Incidence Arriving(const glm::dvec3&, float, float) const
+  {
+    return Incidence::FromAfar(-this->direction, 1.0 / this->area);
+  }
 };
 
 /// Light from infinitely far away, over the whole scene.

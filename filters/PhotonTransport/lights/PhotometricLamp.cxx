@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <tuple>
 #include <utility>
 
 namespace PhotonTransport
@@ -202,16 +203,38 @@ Prepared<TableEmitter> PhotometricLamp::Prepare(const Scene& scene) const
   const LampAxes axes = this->Axes();
   const glm::dvec3 place = ClearPosition(this->position, scene, axes.aim);
   const double flux = CheckedAmount(this->scale, "dimming") * table->Integral();
+  const double perSquareMetre = 1.0 / scene.SquareMetresPerSceneArea();
+  TableEmitter lamp;
+  lamp.position = place;
+  lamp.table = table;
+  lamp.aim = axes.aim;
+  lamp.openArea = this->solid.width * this->solid.length * perSquareMetre;
+  // The width of a rectangle as seen across the aim is w |cos| + l |sin|.
+  lamp.sideArea =
+    this->solid.height * (this->solid.width + this->solid.length) * 2.0 / Pi * perSquareMetre;
   // See PhotometricSolid.
   switch (this->solid.type)
   {
     case PhotometricSolid::Type::A:
-      return { { {}, place, axes.aim, axes.x, axes.y, table }, flux };
+      std::tie(lamp.azimuth0, lamp.azimuth90, lamp.pole) = std::tie(axes.aim, axes.x, axes.y);
+      break;
     case PhotometricSolid::Type::B:
-      return { { {}, place, axes.aim, axes.y, axes.x, table }, flux };
+      std::tie(lamp.azimuth0, lamp.azimuth90, lamp.pole) = std::tie(axes.aim, axes.y, axes.x);
+      break;
     default:
-      return { { {}, place, axes.x, axes.y, axes.aim, table }, flux };
+      std::tie(lamp.azimuth0, lamp.azimuth90, lamp.pole) = std::tie(axes.x, axes.y, axes.aim);
+      break;
   }
+  return { lamp, flux };
+}
+
+double TableEmitter::SeenArea(const glm::dvec3& direction) const
+{
+  const double cosine = std::fabs(glm::dot(direction, this->aim));
+  const double area =
+    cosine * this->openArea + std::sqrt(std::max(0.0, 1.0 - cosine * cosine)) * this->sideArea;
+  constexpr double Least = 1e-3; // of a flat opening that is seen edge on
+  return std::max(area, Least * this->openArea);
 }
 
 Ray TableEmitter::Emit(const PhotonSample& sample, const Share&) const
@@ -219,6 +242,20 @@ Ray TableEmitter::Emit(const PhotonSample& sample, const Share&) const
   const glm::dvec2 angles = this->table->Sample(sample.Emission(0), sample.Emission(1));
   return RayFrom(
     this->position, UnitDirection(angles, this->azimuth0, this->azimuth90, this->pole));
+}
+
+Incidence TableEmitter::Arriving(const glm::dvec3& point, float, float) const
+{
+  const glm::dvec3 way = point - this->position;
+  const double d2 = glm::dot(way, way);
+  if (!(d2 > 0.0))
+  {
+    return {};
+  }
+  const double intensity =
+    this->table->Value(AnglesOf(way, this->azimuth0, this->azimuth90, this->pole)) /
+    this->table->Integral();
+  return { point, this->position, intensity / d2 };
 }
 
 } // namespace PhotonTransport

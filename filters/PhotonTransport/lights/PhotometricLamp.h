@@ -18,7 +18,15 @@ struct TableEmitter : LuminaireColoured
   glm::dvec3 position;
   glm::dvec3 azimuth0, azimuth90, pole; ///< Orthonormal.
   std::shared_ptr<const DirectionTable> table;
+  glm::dvec3 aim{ 0.0 }; ///< Unit.
+  double openArea = 0.0; ///< Of the luminous opening across the aim, scene units squared.
+  double sideArea = 0.0; ///< Of its sides as seen across the aim: the mean over all azimuths.
   Ray Emit(const PhotonSample& sample, const Share&) const;
+  static constexpr PlaceNumbers Numbers = PlaceNumbers::None;
+  Incidence Arriving(const glm::dvec3& point, float, float) const;
+  /// The area of the luminous opening as it is seen, scene units squared; 0 if the file gives none.
+  /// @param direction Unit, to or from the lamp.
+  double SeenArea(const glm::dvec3& direction) const;
 };
 
 /// The names of PhotometricSolid::Type in fields.

@@ -161,6 +161,25 @@ Ray SkyEmitter::Emit(const PhotonSample& sample, const Share&) const
   return OntoBall(this->up.ToWorld(from), this->radius, sample);
 }
 
+double SkyEmitter::RadiancePerLumen(const glm::vec3& towards) const
+{
+  if (!this->wholeSphere && glm::dot(towards, this->up.normal) < 0.0f)
+  {
+    return 0.0;
+  }
+  const double solidAngle = this->wholeSphere ? 4.0 * Pi : 2.0 * Pi;
+  return 1.0 / (Pi * double{ this->radius } * this->radius * solidAngle);
+}
+
+double TableSkyEmitter::RadiancePerLumen(const glm::vec3& towards) const
+{
+  // The table has one half of the sky, and the other half is its mirror image.
+  glm::dvec2 angles = AnglesOf(glm::dvec3(towards), this->azimuth0, this->azimuth90, this->up);
+  angles.y = std::fabs(angles.y);
+  return this->table->Value(angles) /
+    (2.0 * this->table->Integral() * Pi * double{ this->radius } * this->radius);
+}
+
 Ray TableSkyEmitter::Emit(const PhotonSample& sample, const Share&) const
 {
   // One number chooses the side of the sun and the azimuth on that side. Numbers that are close

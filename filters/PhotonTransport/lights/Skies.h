@@ -17,6 +17,7 @@ struct SkyEmitter : LuminaireColoured
   bool wholeSphere;
   float radius; ///< Of the ball about the scene's origin that holds all facets.
   Ray Emit(const PhotonSample& sample, const Share&) const;
+  double RadiancePerLumen(const glm::vec3& towards) const;
 };
 
 /// Photons from a sky whose luminance a table gives, onto the bounding ball.
@@ -26,6 +27,7 @@ struct TableSkyEmitter : LuminaireColoured
   float radius;                       ///< As SkyEmitter's.
   std::shared_ptr<const DirectionTable> table;
   Ray Emit(const PhotonSample& sample, const Share&) const;
+  double RadiancePerLumen(const glm::vec3& towards) const;
 };
 
 /// Uniform luminance from every direction within 90 degrees of `up` (or from everywhere).

@@ -12,6 +12,9 @@ struct SphereEmitter : LuminaireColoured
   glm::dvec3 centre;
   double radius;
   Ray Emit(const PhotonSample& sample, const Share&) const;
+  static constexpr PlaceNumbers Numbers = PlaceNumbers::Two;
+  Incidence Arriving(const glm::dvec3& point, float u, float v) const;
+  std::optional<double> Unobstructed(const glm::dvec3& point, const glm::dvec3& normal) const;
 };
 
 /// A ball of uniform luminance that stops no photons itself.

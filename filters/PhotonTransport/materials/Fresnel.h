@@ -50,11 +50,10 @@ struct FresnelReflectances
 
 /// A thin pane with both its faces and all reflections between them, which do not interfere:
 /// R = r + (1 - r)^2 r t^2 / (1 - r^2 t^2), T = (1 - r)^2 t / (1 - r^2 t^2) for each polarisation.
-/// @param internal Transmittance t of the pane's body at normal incidence, [0, 1]; at a slant it is
-/// t^(1 / cosine of the refracted ray).
-inline ReflectedAndTransmitted ThinPane(float cosIn, float index, float internal)
+/// @param fresnel Of its face. @param internal Transmittance t of the pane's body at normal
+/// incidence, [0, 1]; at a slant it is t^(1 / cosine of the refracted ray).
+inline ReflectedAndTransmitted ThinPane(const FresnelReflectances& fresnel, float internal)
 {
-  const FresnelReflectances fresnel(cosIn, index);
   const float body =
     internal < 1.0f && fresnel.cosine > 0.0f ? std::pow(internal, 1.0f / fresnel.cosine) : internal;
   ReflectedAndTransmitted sum{ 0.0f, 0.0f };

@@ -49,59 +49,82 @@ Roulette MakeRoulette(const Material& material, bool colour);
 /// What a material can do with light.
 ScatteringSet ScatteringsOf(const Material& material);
 
+/// Whether light passes straight on, as through a thin pane.
+inline bool PassesStraightOn(const Material& material)
+{
+  return (ScatteringsOf(material) & SetOf(Scattering::ClearTransmission)) != 0;
+}
+
 /// Whether a material treats the channels unequally.
 bool IsColoured(const Material& material);
+
+/// Light that meets the clear part of a pane or of a body's surface.
+class ClearBoundary
+{
+public:
+  /// @param direction Unit, of the arriving ray. @param normal Unit, on the side it comes from.
+  /// @param front Whether that is the front.
+  ClearBoundary(
+    const Roulette& material, const glm::vec3& direction, const glm::vec3& normal, bool front)
+    : Direction(direction)
+    , Normal(normal)
+    , Solid(material.solid)
+    , CosIn(std::min(1.0f, -glm::dot(direction, normal)))
+    , Index(material.solid && !front ? 1.0f / material.refractiveIndex : material.refractiveIndex)
+    , Fresnel(this->CosIn, this->Index)
+  {
+  }
+
+  Scattering How() const
+  {
+    return this->Solid ? Scattering::Refraction : Scattering::ClearTransmission;
+  }
+  /// Of the clear part's light. @param internal See RouletteChannel::internal.
+  ReflectedAndTransmitted Shares(float internal) const
+  {
+    if (!this->Solid)
+    {
+      return ThinPane(this->Fresnel, internal);
+    }
+    const float reflected = this->Fresnel.Mean();
+    return { reflected, (1.0f - reflected) * internal };
+  }
+  glm::vec3 Mirrored() const
+  {
+    return glm::normalize(this->Direction + 2.0f * this->CosIn * this->Normal);
+  }
+  glm::vec3 Passed() const
+  {
+    return this->Solid ? Refract(this->Direction, this->Normal, this->CosIn, this->Index,
+                           std::max(this->Fresnel.cosine, 1e-6f))
+                       : this->Direction;
+  }
+  /// By which radiance is divided that has come against the direction of Passed(): radiance over
+  /// the square of the refractive index stays the same along a ray.
+  float RadianceDivisor() const { return this->Solid ? this->Index * this->Index : 1.0f; }
+
+private:
+  glm::vec3 Direction, Normal;
+  bool Solid;
+  float CosIn;
+  float Index; ///< Of the side behind the boundary relative to the side in front of it.
+  FresnelReflectances Fresnel;
+};
 
 /// The clear part of a pane or of a body's surface.
 inline Departure PassClear(const Roulette& material, float internal, float u,
   const glm::vec3& direction, const glm::vec3& normal, bool front)
 {
+  const ClearBoundary boundary(material, direction, normal, front);
+  const ReflectedAndTransmitted share = boundary.Shares(internal);
   Departure departure;
-  const float cosIn = std::min(1.0f, -glm::dot(direction, normal));
-  if (!material.solid)
-  {
-    const ReflectedAndTransmitted share = ThinPane(cosIn, material.refractiveIndex, internal);
-    // A sum that rounds below 1 must not absorb where nothing does.
-    departure.absorbed = internal < 1.0f && !(u < share.reflected + share.transmitted);
-    departure.how = Scattering::ClearTransmission;
-    departure.sameSide = u < share.reflected;
-    departure.undeflected = !departure.sameSide;
-    departure.direction =
-      departure.sameSide ? glm::normalize(direction + 2.0f * cosIn * normal) : direction;
-    return departure;
-  }
-  const float index = front ? material.refractiveIndex : 1.0f / material.refractiveIndex;
-  const FresnelReflectances fresnel(cosIn, index);
-  const float reflected = fresnel.Mean();
-  departure.how = Scattering::Refraction;
-  departure.sameSide = u < reflected;
-  departure.absorbed = internal < 1.0f && !(u < reflected + (1.0f - reflected) * internal);
-  departure.direction = departure.sameSide
-    ? glm::normalize(direction + 2.0f * cosIn * normal)
-    : Refract(direction, normal, cosIn, index, std::max(fresnel.cosine, 1e-6f));
+  // A sum that rounds below 1 must not absorb where nothing does.
+  departure.absorbed = internal < 1.0f && !(u < share.reflected + share.transmitted);
+  departure.how = boundary.How();
+  departure.sameSide = u < share.reflected;
+  departure.undeflected = !departure.sameSide && !material.solid;
+  departure.direction = departure.sameSide ? boundary.Mirrored() : boundary.Passed();
   return departure;
-}
-
-/// The direction in which the glossy share of the light leaves; none of it is lost. @param place A
-/// uniform number in [0, 1).
-inline glm::vec3 ReflectFromMicrofacets(const glm::vec3& towards, const glm::vec3& normal,
-  float alpha, const ScatteringSample& sample, double place)
-{
-  const GlossyDirection lobe = ReflectGlossily(towards, normal, alpha, sample.u, sample.v);
-  if (place < double{ lobe.probability })
-  {
-    return lobe.direction;
-  }
-  // Light that microfacets pass on to each other leaves in all directions, so that nothing is lost.
-  // Lambert's law stands in for the nearly equal lobe of Kulla and Conty, "Revisiting Physically
-  // Based Shading at Imageworks", 2017. The numbers are fresh, since u and v are not uniform among
-  // the photons that get here.
-  constexpr std::uint32_t GlossyStream = 0x476c6f73u;
-  const std::array<std::uint32_t, 4> fresh =
-    Philox({ sample.survival, static_cast<std::uint32_t>(sample.u * 0x1p24f),
-             static_cast<std::uint32_t>(sample.v * 0x1p24f), 0 },
-      { GlossyStream, 0 });
-  return ReflectDiffusely(normal, UnitFloat(fresh[0]), UnitFloat(fresh[1]));
 }
 
 /// What becomes of a photon of unit energy: it goes on with all of it, or is absorbed.

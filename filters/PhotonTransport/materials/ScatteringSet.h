@@ -22,6 +22,12 @@ constexpr ScatteringSet SetOf(Scattering scattering)
 {
   return 1u << static_cast<unsigned>(scattering);
 }
+constexpr ScatteringSet DiffuseScatterings =
+  SetOf(Scattering::DiffuseReflection) | SetOf(Scattering::DiffuseTransmission);
+constexpr bool IsDiffuse(Scattering scattering)
+{
+  return (SetOf(scattering) & DiffuseScatterings) != 0;
+}
 constexpr ScatteringSet AllScatterings = (1u << Scatterings) - 1u;
 constexpr ScatteringSet Reflections =
   SetOf(Scattering::SpecularReflection) | SetOf(Scattering::GlossyReflection);

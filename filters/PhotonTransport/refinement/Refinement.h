@@ -2,8 +2,8 @@
 #pragma once
 
 #include "PhotonTransport/refinement/EdgeCurves.h"
-#include "PhotonTransport/refinement/FacetOrigin.h"
 #include "PhotonTransport/refinement/MeshEdges.h"
+#include "PhotonTransport/refinement/RefinedMesh.h"
 
 #include <glm/vec3.hpp>
 
@@ -14,14 +14,6 @@ namespace PhotonTransport
 {
 
 class CurvedPatch;
-
-/// A finer mesh over a given one.
-struct RefinedMesh
-{
-  std::vector<glm::dvec3> points;   ///< The given ones first, unmoved.
-  std::vector<glm::uvec3> facets;   ///< Parts of a facet follow each other, in the facets' order.
-  std::vector<FacetOrigin> origins; ///< One a facet.
-};
 
 /// Divides facets along curved patches that follow the mesh's normals, until all edges keep to the
 /// limits. Facets whose edges do are left whole. The mesh stays as closed as it is: see EdgeCurves

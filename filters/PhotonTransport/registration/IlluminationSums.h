@@ -2,6 +2,7 @@
 #pragma once
 
 #include "PhotonTransport/registration/Arrivals.h"
+#include "PhotonTransport/registration/CellCounts.h"
 #include "PhotonTransport/registration/PhotonBalance.h"
 
 #include <cstddef>
@@ -12,15 +13,18 @@
 namespace PhotonTransport
 {
 
+class Ranks;
+
 /// Sums of weights as 64-bit integers with 28 fraction bits. Integer addition is associative: a sum
 /// has the same bits whatever the order, and 3e10 full hits fit.
 using FixedPoint = std::int64_t;
 constexpr float FixedPointOne = 0x1p28f;
 
-/// Rounds to nearest. @param weight in [0, 2^30).
-inline FixedPoint ToFixedPoint(float weight)
+/// Rounds to nearest. @param weight in [0, 2^30). @param startWeight Of the photon, by which the
+/// weight counts; the product must be in that range, too.
+inline FixedPoint ToFixedPoint(float weight, float startWeight = 1.0f)
 {
-  return static_cast<FixedPoint>(weight * FixedPointOne + 0.5f);
+  return static_cast<FixedPoint>(weight * (startWeight * FixedPointOne) + 0.5f);
 }
 inline double FromFixedPoint(FixedPoint sum)
 {
@@ -77,10 +81,17 @@ struct LightLayers
   }
   bool HasColour() const { return this->firstLamp > 0; }
   bool HasLamps() const { return this->perVertex > this->firstLamp; }
+  /// See Emitter.
+  std::size_t LampOf(std::uint32_t source) const
+  {
+    const std::size_t lamps = this->perVertex - this->firstLamp;
+    return source < lamps ? source : source % lamps;
+  }
 
   std::size_t firstLamp = 0; ///< Channels, if there are any, come before the lamps.
   std::size_t perVertex = 0;
   std::vector<FixedPoint> sums; ///< [vertex][layer]
+  LampCellCounts lampCells;     ///< Empty unless light is counted by cells and lamps.
 };
 
 /// E = (flux / N) V / A, lx; 0 where no photon or no area is. @param flux lm. @param area m^2.
@@ -96,26 +107,37 @@ struct IlluminationSums
 {
   IlluminationSums() = default;
   IlluminationSums(
-    std::size_t vertices, bool backSide, std::size_t lamps = 1, LightLayers ofLight = {})
+    std::size_t vertices, bool backSide, std::size_t sources = 1, LightLayers ofLight = {})
     : front(vertices)
     , back(backSide ? vertices : 0)
     , layers(std::move(ofLight))
-    , arrivals(lamps)
+    , cutByWeightBound(sources)
+    , balances(sources)
+    , arrivals(sources)
   {
   }
 
   std::vector<VertexSums> front;
   std::vector<VertexSums> back; ///< Empty unless the back is registered.
   LightLayers layers;
-  /// Weight that the bound cut off, coarse, over all vertices and the sides that are registered.
-  /// Times flux / N it is in lm.
-  FixedPoint cutByWeightBound = 0;
-  PhotonBalance balance;
-  std::vector<Arrivals> arrivals; ///< By lamp.
+  CellCounts cells; ///< Empty unless light is counted by cells.
+  /// [source] Weight that the bound cut off, coarse and without the start weight, over all vertices
+  /// and the sides that are registered.
+  std::vector<FixedPoint> cutByWeightBound;
+  std::vector<PhotonBalance> balances; ///< [source] See Emitter.
+  std::vector<Arrivals> arrivals;      ///< [source]
+
+  PhotonBalance Balance() const;
 };
 
-/// Adds `part` to `total`, but its layers to `layers`, and clears it for the next use. Layers are
-/// lost where `layers` is empty.
-void MoveInto(IlluminationSums& total, LightLayers& layers, IlluminationSums& part);
+/// Adds `part` to `total` and clears it.
+void MoveInto(LightLayers& total, LightLayers& part);
+void MoveInto(IlluminationSums& total, IlluminationSums& part);
+/// The same of all but vertices and layers.
+void MoveCounts(IlluminationSums& total, IlluminationSums& part);
+
+/// Replaces sums by those over all ranks. Those of all but layers do not include layers.
+void SumOver(Ranks& ranks, LightLayers& layers);
+void SumOver(Ranks& ranks, IlluminationSums& sums);
 
 } // namespace PhotonTransport

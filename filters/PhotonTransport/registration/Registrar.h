@@ -18,15 +18,15 @@ namespace PhotonTransport
 /// Vertex::shownArea gives the same.
 inline float ShownArea(const Scene& scene, std::uint32_t v, const glm::vec3& towards)
 {
-  float sums[4] = {};
-  for (const RingAreas& four : scene.AreasOfRing(v))
-  {
-    for (int i = 0; i < 4; ++i)
+  float sums[4] = {}; // side by side, since an addition waits for the one before
+  unsigned next = 0;
+  scene.ForEachAreaAround(v,
+    [&](const glm::vec3& area)
     {
-      const float shown = towards.x * four.x[i] + towards.y * four.y[i] + towards.z * four.z[i];
-      sums[i] += shown > 0.0f ? shown : 0.0f;
-    }
-  }
+      const float shown = glm::dot(towards, area);
+      sums[next] += shown > 0.0f ? shown : 0.0f;
+      next = (next + 1) % 4;
+    });
   return (sums[0] + sums[1] + sums[2] + sums[3]) * scene.Vertices()[v].inverseThreeAreas;
 }
 
@@ -110,11 +110,15 @@ glm::vec3 HitWeights(const Scene& scene, const RegisteredPlace& place, const glm
 /// Where a photon comes from, as far as registration needs it.
 struct PhotonOrigin
 {
-  std::uint32_t lamp = 0;
+  std::uint32_t source = 0; ///< See Emitter.
   std::uint16_t channel = 0;
-  bool direct = true; ///< Straight from the lamp, or through thin panes.
+  bool direct = true;     ///< Straight from the lamp, or through thin panes.
+  bool undiffused = true; ///< No facet has scattered it diffusely.
   /// Whether Arrivals has counted it. Only walks keep this in which facets let light through.
   bool arrived = false;
+
+  /// Whether nothing but mirrors, gloss and glass have sent it here.
+  bool IsCaustic() const { return this->undiffused && !this->direct; }
 };
 
 /// Adds hits to one thread's sums.
@@ -123,11 +127,14 @@ class Registrar
 {
 public:
   /// @param weightBound Largest factor by which compensation may raise a hit; >= 1.
-  Registrar(const Scene& scene, float weightBound, IlluminationSums& sums)
+  /// @param startWeights [source] By which each photon counts; must outlive it.
+  Registrar(
+    const Scene& scene, float weightBound, IlluminationSums& sums, const float* startWeights)
     : LitScene(scene)
     , WeightBound(weightBound)
     , Sums(sums)
     , Layers(sums.layers)
+    , StartWeights(startWeights)
   {
   }
 
@@ -146,8 +153,11 @@ public:
     }
   }
 
-  /// Brings what operator() will need of a hit into the cache.
-  void Prefetch(const Hit& hit) const
+  /// Called once for each hit after which a photon may go on, with the facet that decides of it.
+  void Arrived(const Hit&, bool, const PhotonOrigin&) const {}
+
+  /// Brings what operator() will need of a hit into the cache; inlined for the reason in Scene.h.
+  [[gnu::always_inline]] inline void Prefetch(const Hit& hit) const
   {
     if (hit)
     {
@@ -167,6 +177,7 @@ private:
     const RegisteredPlace place = this->LitScene.PlaceOnGiven(hit);
     const glm::vec3 weights = HitWeights<RegistrationKind>(
       this->LitScene, place, this->LitScene.Facets()[hit.facet].normal, towards);
+    const float startWeight = this->StartWeights[photon.source];
     FixedPoint rounded[3] = {};
     for (int corner = 0; corner < 3; ++corner)
     {
@@ -180,12 +191,12 @@ private:
         const float most = this->WeightBound * place.barycentric[corner];
         if (weight > most)
         {
-          this->Sums.cutByWeightBound += ToCoarseFixedPoint(weight - most);
+          this->Sums.cutByWeightBound[photon.source] += ToCoarseFixedPoint(weight - most);
           weight = most;
         }
       }
       VertexSums& vertex = map[place.vertices[corner]];
-      rounded[corner] = ToFixedPoint(weight);
+      rounded[corner] = ToFixedPoint(weight, startWeight);
       (photon.direct ? vertex.direct : vertex.indirect) += rounded[corner];
       ++vertex.hits;
     }
@@ -207,7 +218,7 @@ private:
       }
       if (this->Layers.HasLamps())
       {
-        own[this->Layers.firstLamp + photon.lamp] += weights[corner];
+        own[this->Layers.firstLamp + this->Layers.LampOf(photon.source)] += weights[corner];
       }
     }
   }
@@ -216,6 +227,7 @@ private:
   float WeightBound;
   IlluminationSums& Sums;
   LightLayers& Layers;
+  const float* StartWeights;
 };
 
 } // namespace PhotonTransport

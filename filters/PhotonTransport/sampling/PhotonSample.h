@@ -36,6 +36,14 @@ inline std::array<std::uint32_t, 4> PhotonRandom(
     { key.seed, PhotonStream });
 }
 
+/// Two numbers in [0, 1) for photons that are kept or not.
+inline std::array<float, 2> KeepingNumbers(const SequenceKey& key, std::uint64_t photonIndex)
+{
+  constexpr std::uint32_t KeepingBlock = 0xfffffffcu; // that no scattering order reaches
+  const std::array<std::uint32_t, 4> bits = PhotonRandom(key, photonIndex, KeepingBlock);
+  return { UnitFloat(bits[0]), UnitFloat(bits[1]) };
+}
+
 /// The numbers that decide one scattering.
 struct ScatteringSample
 {
@@ -49,6 +57,9 @@ struct ScatteringNumbers
   SequenceKey key;
   std::uint64_t photonIndex;
   ScatteringSample first;
+
+  /// In [0, 1): whether a photon is kept that was traced back to where its light comes from.
+  float KeepingNumber() const { return KeepingNumbers(this->key, this->photonIndex)[1]; }
 
   /// Of scattering `order`; 0 is the photon's first.
   ScatteringSample At(std::uint32_t order) const
@@ -83,6 +94,9 @@ public:
     constexpr std::uint32_t ChannelBlock = 0xfffffffdu; // that no scattering order reaches
     return UnitFloat(PhotonRandom(this->Key, this->Index, ChannelBlock)[0]);
   }
+
+  /// In [0, 1): decides whether a photon is kept that was drawn by a bound of its light.
+  float KeepingNumber() const { return KeepingNumbers(this->Key, this->Index)[0]; }
 
   ScatteringNumbers Scatterings() const
   {

@@ -51,6 +51,7 @@ Surface CurvedSurface(Surface surface, std::uint64_t mostFacets)
   surface.normals.resize(surface.points.size(), glm::dvec3(0.0));
   surface.materialOfFacet = OfParts(surface.materialOfFacet, mesh.origins);
   surface.exitance = OfParts(surface.exitance, mesh.origins);
+  surface.openingOfFacet = OfParts(surface.openingOfFacet, mesh.origins);
   surface.given.origins = std::move(mesh.origins);
   return surface;
 }

@@ -3,9 +3,11 @@
 
 #include "PhotonTransport/scene/EmbreeVersion.h"
 #include "PhotonTransport/scene/RayPacket.h"
+#include "PhotonTransport/scene/SegmentPacket.h"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -38,18 +40,41 @@ void CopyToBuffer(
   }
 }
 
-/// Adds the parts to what Embree gets, after the facets. A facet that has parts stays in the list
-/// without extent, so that the other facets keep their numbers.
-void AddParts(const std::vector<FacetPart>& parts, std::vector<glm::vec3>& points,
-  std::vector<glm::uvec3>& facets)
+void ShareBuffers(
+  RTCGeometry geometry, const std::vector<Vertex>& vertices, const std::vector<Facet>& facets)
 {
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+    vertices.data(), offsetof(Vertex, position), sizeof(Vertex), vertices.size());
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, facets.data(),
+    offsetof(Facet, vertices), sizeof(Facet), facets.size());
+}
+
+/// Embree gets copies, with the parts after the facets. A facet that has parts stays in the list
+/// without extent, so that the other facets keep their numbers.
+void CopyBuffersWithParts(RTCGeometry geometry, const std::vector<Vertex>& vertices,
+  const std::vector<Facet>& facets, const std::vector<FacetPart>& parts)
+{
+  std::vector<glm::vec3> points;
+  points.reserve(vertices.size() + 3 * parts.size());
+  for (const Vertex& vertex : vertices)
+  {
+    points.push_back(vertex.position);
+  }
+  std::vector<glm::uvec3> indices;
+  indices.reserve(facets.size() + parts.size());
+  for (const Facet& facet : facets)
+  {
+    indices.push_back(facet.vertices);
+  }
   for (const FacetPart& part : parts)
   {
     const auto first = static_cast<unsigned>(points.size());
     points.insert(points.end(), part.positions.begin(), part.positions.end());
-    facets.emplace_back(first, first + 1, first + 2);
-    facets[part.facet] = glm::uvec3(facets[part.facet].x);
+    indices.emplace_back(first, first + 1, first + 2);
+    indices[part.facet] = glm::uvec3(indices[part.facet].x);
   }
+  CopyToBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, points);
+  CopyToBuffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, indices);
 }
 
 } // namespace
@@ -167,12 +192,11 @@ struct EmbreeScene::Implementation
   }
 };
 
-EmbreeScene::EmbreeScene(
-  std::vector<glm::vec3> points, std::vector<glm::uvec3> facets, std::vector<FacetPart> parts)
+EmbreeScene::EmbreeScene(const std::vector<Vertex>& vertices, const std::vector<Facet>& facets,
+  std::vector<FacetPart> parts)
   : Impl(MakeProcessPtr<Implementation>())
 {
   this->Impl->facets = facets.size();
-  AddParts(parts, points, facets);
   this->Impl->parts = std::move(parts);
   this->Impl->device = rtcNewDevice(nullptr);
   if (!this->Impl->device)
@@ -182,8 +206,14 @@ EmbreeScene::EmbreeScene(
   rtcSetDeviceErrorFunction(this->Impl->device, KeepFirstMessage, &this->Impl->message);
 
   RTCGeometry geometry = rtcNewGeometry(this->Impl->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  CopyToBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, points);
-  CopyToBuffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, facets);
+  if (this->Impl->parts.empty())
+  {
+    ShareBuffers(geometry, vertices, facets);
+  }
+  else
+  {
+    CopyBuffersWithParts(geometry, vertices, facets, this->Impl->parts);
+  }
   rtcCommitGeometry(geometry);
 
   this->Impl->scene = rtcNewScene(this->Impl->device);
@@ -212,6 +242,21 @@ void EmbreeScene::Intersect(const Ray* rays, Hit* hits, std::size_t count) const
   if (first < count)
   {
     this->Impl->IntersectFew(packet, rays + first, hits + first, count - first);
+  }
+}
+
+void EmbreeScene::FindOccluded(
+  const Segment* segments, std::uint8_t* occluded, std::size_t count) const
+{
+  SegmentPacket packet;
+  for (std::size_t first = 0; first < count; first += RayPacket::Size)
+  {
+    const std::size_t number = std::min(count - first, RayPacket::Size);
+    packet.FindOccluded(this->Impl->scene, segments + first, number);
+    for (std::size_t lane = 0; lane < number; ++lane)
+    {
+      occluded[first + lane] = packet.IsOccluded(lane);
+    }
   }
 }
 

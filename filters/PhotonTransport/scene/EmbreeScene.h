@@ -3,6 +3,7 @@
 
 #include "PhotonTransport/refinement/FacetParts.h"
 #include "PhotonTransport/scene/Ray.h"
+#include "PhotonTransport/scene/SceneRecords.h"
 #include "PhotonTransport/threads/ProcessEnd.h"
 
 #include <glm/vec3.hpp>
@@ -20,10 +21,11 @@ namespace PhotonTransport
 class EmbreeScene
 {
 public:
-  /// @param points In [-1, 1]. @param facets Indices into points; none of zero area.
+  /// @param vertices Positions in [-1, 1]. @param facets None of zero area. Embree reads both where
+  /// they are: they must outlive the hierarchy, unmoved.
   /// @param parts Of the facets that are traced in parts; hits on them are hits on their facet.
   /// Throws std::runtime_error with Embree's own words if the build fails.
-  EmbreeScene(std::vector<glm::vec3> points, std::vector<glm::uvec3> facets,
+  EmbreeScene(const std::vector<Vertex>& vertices, const std::vector<Facet>& facets,
     std::vector<FacetPart> parts = {});
   ~EmbreeScene();
   EmbreeScene(EmbreeScene&&) noexcept;
@@ -39,6 +41,10 @@ public:
   /// they have nothing in common. A ray that meets an edge may get either of its facets, depending
   /// on its neighbours in the eight: callers that promise the same bits pass the same groups.
   void Intersect(const Ray* rays, Hit* hits, std::size_t count) const;
+
+  /// For each segment whether it meets anything, 1 or 0. The error of a place on it grows with its
+  /// length, so callers let segments start where coordinates are finer; see Scene::SegmentBetween.
+  void FindOccluded(const Segment* segments, std::uint8_t* occluded, std::size_t count) const;
 
   /// Calls f(facet) for all facets whose bounds come within a distance of a point, in any order,
   /// more than once for a facet that is traced in parts.

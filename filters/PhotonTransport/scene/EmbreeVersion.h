@@ -24,4 +24,17 @@ inline void IntersectFirst(RTCScene scene, const int* valid, RTCRayHit8& rayHits
 #endif
 }
 
+/// Sets the far end of each ray that meets anything to minus infinity.
+/// @param valid As above.
+inline void FindOccluded(RTCScene scene, const int* valid, RTCRay8& rays)
+{
+#if ILLUMINATION_EMBREE_VERSION >= 4
+  rtcOccluded8(valid, scene, &rays, nullptr);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded8(valid, scene, &context, &rays);
+#endif
+}
+
 } // namespace PhotonTransport

@@ -35,11 +35,6 @@ bool AnyFaceTheSameWay(
 
 } // namespace
 
-bool FaceTheSameWay(const std::vector<FacetPlane>& planes, std::uint32_t facet, std::uint32_t other)
-{
-  return glm::dot(planes[facet].normal, planes[other].normal) > SameSheet;
-}
-
 std::vector<Bundle> BundlesOf(
   const std::vector<FacetPlane>& planes, const PlaneMember* first, const PlaneMember* last)
 {

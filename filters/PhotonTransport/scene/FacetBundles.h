@@ -3,6 +3,7 @@
 
 #include "PhotonTransport/scene/SharedPlanes.h"
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
@@ -12,8 +13,11 @@ namespace PhotonTransport
 {
 
 /// Whether two planes that are near each other count as one.
-bool FaceTheSameWay(
-  const std::vector<FacetPlane>& planes, std::uint32_t facet, std::uint32_t other);
+inline bool FaceTheSameWay(
+  const std::vector<FacetPlane>& planes, std::uint32_t facet, std::uint32_t other)
+{
+  return glm::dot(planes[facet].normal, planes[other].normal) > SameSheet;
+}
 
 /// Facets of a group that face about the same way.
 struct Bundle

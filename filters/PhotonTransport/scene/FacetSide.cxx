@@ -23,13 +23,19 @@ glm::dvec3 UsableNormal(const glm::dvec3& normal)
 
 FacetSide SideOf(const glm::dvec3& areaVector, const std::array<glm::dvec3, 3>& normals)
 {
+  return SideByUsableNormals(
+    areaVector, { UsableNormal(normals[0]), UsableNormal(normals[1]), UsableNormal(normals[2]) });
+}
+
+FacetSide SideByUsableNormals(
+  const glm::dvec3& areaVector, const std::array<glm::dvec3, 3>& normals)
+{
   glm::dvec3 front(0.0);
   double usable = 0.0;
   for (const glm::dvec3& normal : normals)
   {
-    const glm::dvec3 unit = UsableNormal(normal);
-    front += unit;
-    usable += unit == glm::dvec3(0.0) ? 0.0 : 1.0;
+    front += normal;
+    usable += normal == glm::dvec3(0.0) ? 0.0 : 1.0;
   }
   const double height = glm::dot(front, UsableNormal(areaVector));
   const bool undecided = usable > 0.0 && std::fabs(height) <= InPlane * usable;

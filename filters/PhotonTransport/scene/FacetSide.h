@@ -27,4 +27,8 @@ struct FacetSide
 /// counts, the facet is neither turned nor undecided.
 FacetSide SideOf(const glm::dvec3& areaVector, const std::array<glm::dvec3, 3>& normals);
 
+/// The same of normals that UsableNormal has made.
+FacetSide SideByUsableNormals(
+  const glm::dvec3& areaVector, const std::array<glm::dvec3, 3>& normals);
+
 } // namespace PhotonTransport

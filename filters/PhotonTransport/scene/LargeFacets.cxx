@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/LargeFacets.h"
 
+#include "PhotonTransport/threads/Threads.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -28,7 +30,7 @@ bool IsFarForItsSize(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
 }
 
 std::vector<FacetPart> Parts(
-  const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& facets, float leastReach)
+  const std::vector<Vertex>& vertices, const std::vector<Facet>& facets, float leastReach)
 {
   const auto halves = [leastReach](const glm::vec3& a, const glm::vec3& b)
   {
@@ -37,16 +39,27 @@ std::vector<FacetPart> Parts(
     const float place = std::clamp(-glm::dot(a, along) / (length * length), 0.0f, 1.0f);
     return length > 1.5f * std::max(glm::length(a + place * along), leastReach);
   };
-  std::vector<FacetPart> parts;
-  for (std::uint32_t f = 0; f < facets.size(); ++f)
+  constexpr std::size_t Chunk = 4096;
+  std::vector<std::vector<FacetPart>> chunks((facets.size() + Chunk - 1) / Chunk);
+  const auto look = [&](std::size_t chunk)
   {
-    const glm::vec3& a = positions[facets[f].x];
-    const glm::vec3& b = positions[facets[f].y];
-    const glm::vec3& c = positions[facets[f].z];
-    if (!IsFarForItsSize(a, b, c)) // as nearly all are
+    const auto end = static_cast<std::uint32_t>(std::min((chunk + 1) * Chunk, facets.size()));
+    for (auto f = static_cast<std::uint32_t>(chunk * Chunk); f < end; ++f)
     {
-      AppendParts(f, { a, b, c }, halves, parts);
+      const glm::vec3& a = vertices[facets[f].vertices.x].position;
+      const glm::vec3& b = vertices[facets[f].vertices.y].position;
+      const glm::vec3& c = vertices[facets[f].vertices.z].position;
+      if (!IsFarForItsSize(a, b, c)) // as nearly all are
+      {
+        AppendParts(f, { a, b, c }, halves, chunks[chunk]);
+      }
     }
+  };
+  ForEach(chunks.size(), look, 1);
+  std::vector<FacetPart> parts;
+  for (const std::vector<FacetPart>& chunk : chunks)
+  {
+    parts.insert(parts.end(), chunk.begin(), chunk.end());
   }
   return parts;
 }
@@ -54,14 +67,14 @@ std::vector<FacetPart> Parts(
 } // namespace
 
 std::vector<FacetPart> PartsOfLargeFacets(
-  const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& facets, float& leastReach)
+  const std::vector<Vertex>& vertices, const std::vector<Facet>& facets, float& leastReach)
 {
-  std::vector<FacetPart> parts = Parts(positions, facets, leastReach);
+  std::vector<FacetPart> parts = Parts(vertices, facets, leastReach);
   const std::size_t most = MostParts(facets.size());
   while (parts.size() > most) // where thousands of large facets meet next to the origin
   {
     leastReach *= 16.0f;
-    parts = Parts(positions, facets, leastReach);
+    parts = Parts(vertices, facets, leastReach);
   }
   return parts;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "PhotonTransport/refinement/FacetParts.h"
+#include "PhotonTransport/scene/SceneRecords.h"
 
 #include <glm/vec3.hpp>
 
@@ -14,7 +15,7 @@ namespace PhotonTransport
 /// distance from the origin, where coordinates are fine, are traced in parts that are not.
 /// @param leastReach See Scene::Reach. Grows until the parts are some thousand, or an eighth of the
 /// facets, at most.
-std::vector<FacetPart> PartsOfLargeFacets(const std::vector<glm::vec3>& positions,
-  const std::vector<glm::uvec3>& facets, float& leastReach);
+std::vector<FacetPart> PartsOfLargeFacets(
+  const std::vector<Vertex>& vertices, const std::vector<Facet>& facets, float& leastReach);
 
 } // namespace PhotonTransport

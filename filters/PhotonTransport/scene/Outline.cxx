@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/Outline.h"
 
+#include "PhotonTransport/threads/Threads.h"
+
 #include <algorithm>
 #include <cstring>
-#include <iterator>
 #include <utility>
 
 namespace PhotonTransport
@@ -11,7 +12,7 @@ namespace PhotonTransport
 namespace
 {
 
-/// A number for a place, by Steele, Lea and Flood's SplitMix64: sums of them are different.
+/// By Steele, Lea and Flood's SplitMix64.
 std::uint64_t NumberOf(const glm::vec3& point)
 {
   std::uint64_t number = 0;
@@ -29,6 +30,13 @@ std::uint64_t NumberOf(const glm::vec3& point)
 }
 
 } // namespace
+
+std::vector<std::uint64_t> NumbersOfPlaces(const std::vector<glm::vec3>& points)
+{
+  std::vector<std::uint64_t> numbers(points.size());
+  ForEach(points.size(), [&](std::size_t p) { numbers[p] = NumberOf(points[p]); });
+  return numbers;
+}
 
 std::vector<std::uint32_t> Outline::TrianglesAt(const std::vector<PlaneTriangle>& triangles)
 {
@@ -57,12 +65,9 @@ std::vector<std::uint32_t> Outline::TrianglesAt(const std::vector<PlaneTriangle>
 /// of the points from which edges come: 0 if every edge is there in both directions.
 void Outline::AddEdges(const std::vector<PlaneTriangle>& triangles)
 {
-  if (this->Numbers.empty())
+  if (this->Sums.empty())
   {
-    this->Numbers.reserve(this->Points.size());
-    std::transform(
-      this->Points.begin(), this->Points.end(), std::back_inserter(this->Numbers), NumberOf);
-    this->Sums.assign(this->Points.size(), 0);
+    this->Sums.assign(this->Numbers.size(), 0);
   }
   for (const PlaneTriangle& triangle : triangles)
   {

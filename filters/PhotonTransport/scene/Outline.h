@@ -11,6 +11,9 @@
 namespace PhotonTransport
 {
 
+/// A number for each place, the same for points in the same place. Sums of them are different.
+std::vector<std::uint64_t> NumbersOfPlaces(const std::vector<glm::vec3>& points);
+
 /// Finds which facets lie at the outline of what they cover. The facets are in one plane and face
 /// about the same way.
 ///
@@ -21,9 +24,10 @@ namespace PhotonTransport
 class Outline
 {
 public:
-  /// @param points, facets Of which there are triangles; must outlive this.
-  Outline(const std::vector<glm::vec3>& points, const std::vector<glm::uvec3>& facets)
-    : Points(points)
+  /// @param numbers Of the points, see NumbersOfPlaces. @param facets Of which there are triangles.
+  /// Both must outlive this.
+  Outline(const std::vector<std::uint64_t>& numbers, const std::vector<glm::uvec3>& facets)
+    : Numbers(numbers)
     , Facets(facets)
   {
   }
@@ -35,10 +39,9 @@ private:
   void AddEdges(const std::vector<PlaneTriangle>& triangles);
   void JoinPoints(const std::vector<PlaneTriangle>& triangles);
 
-  const std::vector<glm::vec3>& Points;
+  const std::vector<std::uint64_t>& Numbers; ///< Of the points.
   const std::vector<glm::uvec3>& Facets;
-  std::vector<std::uint64_t> Numbers; ///< Of the points.
-  std::vector<std::uint64_t> Sums;    ///< Of the points; all 0 between calls.
+  std::vector<std::uint64_t> Sums; ///< Of the points; all 0 between calls.
 };
 
 } // namespace PhotonTransport

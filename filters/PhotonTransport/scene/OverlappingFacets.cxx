@@ -27,6 +27,78 @@ constexpr std::size_t Few = 64;
 constexpr double Near = 64.0;
 constexpr double NearIfSingle = 1024.0;
 
+const glm::vec3& CornerOf(const FacetPlaces& places, std::uint32_t facet, int corner)
+{
+  return places.points[places.facets[facet][corner]];
+}
+
+/// By how much the data's rounding may widen what a facet has in common with a neighbour. That of a
+/// small facet is limited to a part of it, since slivers that it has in common with its neighbours
+/// are narrower than itself.
+float RoundingOf(const FacetPlaces& places, const PlaneTriangle& triangle)
+{
+  constexpr double PartOfFacet = 1.0 / 32.0;
+  const DataRounding& rounding = places.rounding;
+  if (!(rounding.relative > 0.0))
+  {
+    return 0.0f;
+  }
+  const glm::dvec2 size(triangle.high - triangle.low);
+  glm::dvec3 farthest(0.0);
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const glm::dvec3 point(CornerOf(places, triangle.facet, corner));
+    farthest = glm::max(farthest, glm::abs(point - rounding.origin));
+  }
+  return static_cast<float>(
+    std::min(rounding.relative * glm::length(farthest), PartOfFacet * std::min(size.x, size.y)));
+}
+
+PlaneTriangle TriangleOf(const FacetPlaces& places, std::uint32_t facet, int axis)
+{
+  PlaneTriangle triangle(facet, CornerOf(places, facet, 0), CornerOf(places, facet, 1),
+    CornerOf(places, facet, 2), axis);
+  triangle.rounding = RoundingOf(places, triangle);
+  return triangle;
+}
+
+/// Whether two facets have the same corners.
+bool AreCopies(const FacetPlaces& places, const PlaneTriangle& one, const PlaneTriangle& other)
+{
+  if (one.low != other.low || one.high != other.high) // as nearly all
+  {
+    return false;
+  }
+  const auto has = [&](const glm::vec3& place)
+  {
+    return CornerOf(places, other.facet, 0) == place || CornerOf(places, other.facet, 1) == place ||
+      CornerOf(places, other.facet, 2) == place;
+  };
+  return has(CornerOf(places, one.facet, 0)) && has(CornerOf(places, one.facet, 1)) &&
+    has(CornerOf(places, one.facet, 2));
+}
+
+/// False for nearly all pairs that don't overlap.
+bool MayOverlap(const FacetPlaces& places, const PlaneTriangle& one, const PlaneTriangle& other)
+{
+  return one.low.x <= other.high.x && other.low.x <= one.high.x && one.low.y <= other.high.y &&
+    other.low.y <= one.high.y && FaceTheSameWay(places.planes, one.facet, other.facet) &&
+    (AreCopies(places, one, other) || Meet(one, other));
+}
+
+/// Most groups are pairs of neighbours. This tells that there is nothing to look for in them
+/// without making a bundle.
+bool IsPairApart(const FacetPlaces& places, const PlaneMember* first, const PlaneMember* last)
+{
+  if (last - first != 2 || !FaceTheSameWay(places.planes, first[0].facet, first[1].facet))
+  {
+    return last - first == 2;
+  }
+  const int axis = BestAxis(places.planes[first->facet].normal);
+  return !MayOverlap(
+    places, TriangleOf(places, first[0].facet, axis), TriangleOf(places, first[1].facet, axis));
+}
+
 /// Looks for overlaps within one bundle.
 class BundleSearch
 {
@@ -38,9 +110,7 @@ public:
     this->Triangles.reserve(bundle.facets.size());
     for (const std::uint32_t f : bundle.facets)
     {
-      this->Triangles.emplace_back(
-        f, this->Corner(f, 0), this->Corner(f, 1), this->Corner(f, 2), this->Axis);
-      this->AddRounding(this->Triangles.back());
+      this->Triangles.push_back(TriangleOf(places, f, this->Axis));
     }
   }
 
@@ -55,7 +125,7 @@ public:
     {
       for (std::uint32_t j = 0; j < i; ++j)
       {
-        if (this->MayOverlap(j, i))
+        if (MayOverlap(this->Places, this->Triangles[j], this->Triangles[i]))
         {
           return true;
         }
@@ -92,11 +162,6 @@ public:
   }
 
 private:
-  const glm::vec3& Corner(std::uint32_t facet, int corner) const
-  {
-    return this->Places.points[this->Places.facets[facet][corner]];
-  }
-
   /// Whether one of the triangles meets any other, in one plane or beside it.
   bool AnyMeetAt(const std::vector<std::uint32_t>& some) const
   {
@@ -109,7 +174,7 @@ private:
             {
               return j != i &&
                 (Meet(triangle, this->Triangles[j]) ||
-                  this->AreCopies(triangle.facet, this->Triangles[j].facet));
+                  AreCopies(this->Places, triangle, this->Triangles[j]));
             }))
       {
         return true;
@@ -118,37 +183,17 @@ private:
     return false;
   }
 
-  bool AreCopies(std::uint32_t f, std::uint32_t g) const
-  {
-    const auto has = [&](const glm::vec3& place)
-    {
-      return this->Corner(g, 0) == place || this->Corner(g, 1) == place ||
-        this->Corner(g, 2) == place;
-    };
-    return has(this->Corner(f, 0)) && has(this->Corner(f, 1)) && has(this->Corner(f, 2));
-  }
-
-  /// False for nearly all pairs that don't overlap.
-  bool MayOverlap(std::uint32_t i, std::uint32_t j) const
-  {
-    const PlaneTriangle& one = this->Triangles[i];
-    const PlaneTriangle& other = this->Triangles[j];
-    return one.low.x <= other.high.x && other.low.x <= one.high.x && one.low.y <= other.high.y &&
-      other.low.y <= one.high.y && FaceTheSameWay(this->Places.planes, one.facet, other.facet) &&
-      (this->AreCopies(one.facet, other.facet) || Meet(one, other));
-  }
-
   /// Calls f if two triangles overlap. @param i, j In ascending order.
   void Report(
     std::uint32_t i, std::uint32_t j, const std::function<void(const FacetOverlap&)>& f) const
   {
-    if (!this->MayOverlap(i, j))
+    const PlaneTriangle& one = this->Triangles[i];
+    const PlaneTriangle& other = this->Triangles[j];
+    if (!MayOverlap(this->Places, one, other))
     {
       return;
     }
-    const PlaneTriangle& one = this->Triangles[i];
-    const PlaneTriangle& other = this->Triangles[j];
-    const bool copies = this->AreCopies(one.facet, other.facet);
+    const bool copies = AreCopies(this->Places, one, other);
     const CommonPart common = Intersection(one, other);
     const glm::vec3& normal = this->Places.planes[one.facet].normal;
     const double cosine = std::fabs(double{ normal[this->Axis] });
@@ -164,7 +209,8 @@ private:
   bool AreNear(const PlaneTriangle& one, const PlaneTriangle& other, const CommonPart& common,
     FacetOverlap& overlap) const
   {
-    const glm::dvec3 a(this->Corner(one.facet, 0)), b(this->Corner(other.facet, 0));
+    const glm::dvec3 a(CornerOf(this->Places, one.facet, 0)),
+      b(CornerOf(this->Places, other.facet, 0));
     const glm::dvec3 m = this->ExactNormal(one.facet), n = this->ExactNormal(other.facet);
     const FacetPlane& plane = this->Places.planes[one.facet];
     const double corners = double{ CornerGap } * double{ std::max(one.reach, other.reach) } +
@@ -194,31 +240,11 @@ private:
     return overlap.excess <= (isSingle ? NearIfSingle : Near);
   }
 
-  /// The rounding of a small facet is limited to a part of it, since slivers that it has in common
-  /// with its neighbours are narrower than itself.
-  void AddRounding(PlaneTriangle& triangle) const
-  {
-    const DataRounding& rounding = this->Places.rounding;
-    if (rounding.relative > 0.0)
-    {
-      constexpr double PartOfFacet = 1.0 / 32.0;
-      const glm::dvec2 size(triangle.high - triangle.low);
-      glm::dvec3 farthest(0.0);
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        const glm::dvec3 point(this->Corner(triangle.facet, corner));
-        farthest = glm::max(farthest, glm::abs(point - rounding.origin));
-      }
-      triangle.rounding = static_cast<float>(std::min(
-        rounding.relative * glm::length(farthest), PartOfFacet * std::min(size.x, size.y)));
-    }
-  }
-
   glm::dvec3 ExactNormal(std::uint32_t facet) const
   {
-    const glm::dvec3 a(this->Corner(facet, 0));
-    return glm::normalize(
-      glm::cross(glm::dvec3(this->Corner(facet, 1)) - a, glm::dvec3(this->Corner(facet, 2)) - a));
+    const glm::dvec3 a(CornerOf(this->Places, facet, 0));
+    return glm::normalize(glm::cross(glm::dvec3(CornerOf(this->Places, facet, 1)) - a,
+      glm::dvec3(CornerOf(this->Places, facet, 2)) - a));
   }
 
   const FacetPlaces& Places;
@@ -251,7 +277,8 @@ void ForEachOverlap(const FacetPlaces& places, const std::function<void(const Fa
   // through in their order, so that the result does not depend on the threads.
   const std::vector<const PlaneMember*> begins = Shares(places.groups);
   std::vector<std::vector<Bundle>> found(begins.size() - 1);
-  PerThread<Outline> outlines(MostThreadIndices(), Outline(places.points, places.facets));
+  const std::vector<std::uint64_t> numbers = NumbersOfPlaces(places.points);
+  PerThread<Outline> outlines(MostThreadIndices(), Outline(numbers, places.facets));
   ParallelFor(0, found.size(),
     [&](std::uint64_t begin, std::uint64_t end)
     {
@@ -259,6 +286,10 @@ void ForEachOverlap(const FacetPlaces& places, const std::function<void(const Fa
       ForEachGroup(begins[begin], begins[end],
         [&](const PlaneMember* first, const PlaneMember* last)
         {
+          if (IsPairApart(places, first, last))
+          {
+            return;
+          }
           for (Bundle& bundle : BundlesOf(places.planes, first, last))
           {
             if (bundle.facets.size() > 1 && BundleSearch(places, bundle).MayHaveAny(outline))

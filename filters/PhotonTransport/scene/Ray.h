@@ -15,6 +15,13 @@ struct Ray
   glm::vec3 direction; ///< Unit length.
 };
 
+/// A part of a ray, from its origin on.
+struct Segment
+{
+  Ray ray;
+  float length; ///< May be infinite.
+};
+
 constexpr std::uint32_t NoFacet = 0xffffffffu;
 constexpr std::uint32_t NoPart = 0xffffffffu;
 /// Stands for no part either, on a facet that shares its place with others: rays start clear of all

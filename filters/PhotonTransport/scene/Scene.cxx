@@ -2,10 +2,12 @@
 #include "PhotonTransport/scene/Scene.h"
 
 #include "PhotonTransport/materials/Scattering.h"
+#include "PhotonTransport/memory/HugePages.h"
 #include "PhotonTransport/scene/EmbreeScene.h"
 #include "PhotonTransport/scene/FacetSide.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/scene/LargeFacets.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include <glm/geometric.hpp>
 
@@ -35,6 +37,13 @@ std::vector<glm::vec3> ScenePositions(const Surface& surface, const Placement& p
   return positions;
 }
 
+std::vector<glm::dvec3> UsableNormals(const Surface& surface)
+{
+  std::vector<glm::dvec3> normals(surface.normals.size());
+  ForEach(normals.size(), [&](std::size_t p) { normals[p] = UsableNormal(surface.normals[p]); });
+  return normals;
+}
+
 /// Smallest barycentric coordinate that keeps EdgeClearance from every edge, by offset.
 float MarginPerOffset(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, double area)
 {
@@ -43,6 +52,26 @@ float MarginPerOffset(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3
   constexpr double Most = std::numeric_limits<float>::max();
   return static_cast<float>(std::min(Most, double{ EdgeClearance } / smallestHeight));
 }
+
+/// What the normals say of a facet's front. Parts of a facet have its front.
+FacetSide SideOfGiven(const Surface& surface, std::size_t facet, const PlacedPoints& points)
+{
+  const glm::uvec3& ids = surface.IsRefined()
+    ? surface.given.facets[surface.given.origins[facet].facet]
+    : surface.facets[facet];
+  const glm::dvec3 a(points.positions[ids[0]]), b(points.positions[ids[1]]),
+    c(points.positions[ids[2]]);
+  return SideByUsableNormals(0.5 * glm::cross(b - a, c - a),
+    { points.normals[ids.x], points.normals[ids.y], points.normals[ids.z] });
+}
+
+/// What is to be noted of a facet, as bits.
+enum FoundInFacet : std::uint8_t
+{
+  NoArea = 1, ///< It is left out.
+  Turned = 2,
+  Undecided = 4
+};
 
 } // namespace
 
@@ -55,11 +84,15 @@ Scene::Scene(const Surface& surface)
   this->Found.turn = surface.given.turn;
   this->Found.isCoarse = surface.given.isCoarse;
   this->RequireSize();
-  std::vector<glm::vec3> positions = ScenePositions(surface, this->Place);
-  this->AddFacets(surface, positions);
-  this->FindSharedPlaces(positions);
-  this->AddVertices(surface, positions);
-  this->BuildBvh(std::move(positions));
+  {
+    const PlacedPoints points{ ScenePositions(surface, this->Place), UsableNormals(surface) };
+    this->AddFacets(surface, points);
+    this->FindSharedPlaces(points.positions);
+    this->AddVertices(surface, points);
+  }
+  UseHugePages(this->FacetRecords);
+  UseHugePages(this->VertexRecords);
+  this->BuildBvh();
   this->FindThinGaps();
 }
 
@@ -90,14 +123,18 @@ void Scene::RequireSize() const
   }
 }
 
-void Scene::AddFacets(const Surface& surface, const std::vector<glm::vec3>& positions)
+void Scene::AddFacets(const Surface& surface, const PlacedPoints& points)
 {
-  this->FacetRecords.reserve(surface.facets.size());
-  this->FacetAreas.reserve(surface.facets.size());
-  for (std::size_t f = 0; f < surface.facets.size(); ++f)
-  {
-    this->AddFacet(surface, f, positions);
-  }
+  const std::size_t facets = surface.facets.size();
+  this->FacetRecords.resize(facets);
+  this->FacetAreas.resize(facets);
+  this->GivenFacets.resize(surface.given.origins.size());
+  this->FacetMaterial = surface.materialOfFacet;
+  this->FacetExitance = surface.exitance;
+  std::vector<std::uint8_t> found(facets);
+  ForEach(facets, [&](std::size_t f) { found[f] = this->MakeFacet(surface, f, points); });
+  this->NoteFacets(surface, found);
+  this->LeaveOutFacets();
   this->FacetMaterials = surface.materials;
   this->CountEffects();
   if (this->FacetRecords.empty())
@@ -106,98 +143,157 @@ void Scene::AddFacets(const Surface& surface, const std::vector<glm::vec3>& posi
   }
 }
 
-/// Whether the front is the side round which the facet's corners run clockwise. Parts of a facet
-/// have its front.
-bool Scene::IsTurned(
-  const Surface& surface, std::size_t facet, const std::vector<glm::vec3>& positions)
-{
-  const std::size_t given =
-    surface.IsRefined() ? std::size_t{ surface.given.origins[facet].facet } : facet;
-  const glm::uvec3& ids = surface.IsRefined() ? surface.given.facets[given] : surface.facets[given];
-  const glm::dvec3 a(positions[ids[0]]), b(positions[ids[1]]), c(positions[ids[2]]);
-  const FacetSide side = SideOf(0.5 * glm::cross(b - a, c - a),
-    { surface.normals[ids.x], surface.normals[ids.y], surface.normals[ids.z] });
-  if (!surface.IsRefined() || surface.given.IsFirstPart(facet))
-  {
-    this->Found.turnedFacets += side.turned;
-    if (side.undecided)
-    {
-      this->Found.undecidedFacets.Add(given);
-    }
-  }
-  return side.turned;
-}
-
-/// Leaves out a facet that has no area.
-void Scene::AddFacet(
-  const Surface& surface, std::size_t facet, const std::vector<glm::vec3>& positions)
+/// @return What is to be noted of it, as FoundInFacet.
+std::uint8_t Scene::MakeFacet(const Surface& surface, std::size_t facet, const PlacedPoints& points)
 {
   const glm::uvec3& ids = surface.facets[facet];
   // The rounded positions are the ones that photons hit, so areas and normals are theirs.
-  const glm::dvec3 a(positions[ids[0]]), b(positions[ids[1]]), c(positions[ids[2]]);
+  const glm::dvec3 a(points.positions[ids[0]]), b(points.positions[ids[1]]),
+    c(points.positions[ids[2]]);
   glm::dvec3 areaVector = 0.5 * glm::cross(b - a, c - a);
   const double area = glm::length(areaVector);
   if (!(area >= LeastArea))
   {
-    ++this->Found.droppedFacets;
-    this->Dropped.push_back(static_cast<std::uint32_t>(facet));
-    return;
+    return NoArea;
   }
   if (surface.IsRefined())
   {
     const FacetOrigin& origin = surface.given.origins[facet];
-    this->GivenFacets.push_back({ surface.given.facets[origin.facet], origin });
+    this->GivenFacets[facet] = { surface.given.facets[origin.facet], origin };
   }
-  areaVector = this->IsTurned(surface, facet, positions) ? -areaVector : areaVector;
+  const FacetSide side = SideOfGiven(surface, facet, points);
+  areaVector = side.turned ? -areaVector : areaVector;
   const float reflectance =
     Luminous(surface.materials[surface.materialOfFacet[facet]].diffuseReflectance);
-  this->FacetRecords.push_back(
-    { ids, reflectance, glm::vec3(areaVector / area), MarginPerOffset(a, b, c, area) });
-  this->FacetAreas.emplace_back(areaVector);
-  this->FacetMaterial.push_back(surface.materialOfFacet[facet]);
-  if (!surface.exitance.empty())
+  this->FacetRecords[facet] = { ids, reflectance, glm::vec3(areaVector / area),
+    MarginPerOffset(a, b, c, area) };
+  this->FacetAreas[facet] = glm::vec3(areaVector);
+  return static_cast<std::uint8_t>((side.turned ? Turned : 0) | (side.undecided ? Undecided : 0));
+}
+
+/// Parts of a facet have its front, which is noted once.
+void Scene::NoteFacets(const Surface& surface, const std::vector<std::uint8_t>& found)
+{
+  for (std::uint32_t f = 0; f < found.size(); ++f)
   {
-    this->FacetExitance.push_back(surface.exitance[facet]);
+    if (found[f] == 0)
+    {
+      continue; // as nearly all
+    }
+    if ((found[f] & NoArea) != 0)
+    {
+      ++this->Found.droppedFacets;
+      this->Dropped.push_back(f);
+    }
+    else if (!surface.IsRefined() || surface.given.IsFirstPart(f))
+    {
+      this->Found.turnedFacets += (found[f] & Turned) != 0;
+      if ((found[f] & Undecided) != 0)
+      {
+        this->Found.undecidedFacets.Add(surface.IsRefined() ? surface.given.origins[f].facet : f);
+      }
+    }
   }
+}
+
+/// Takes those without an area out of all lists of facets.
+void Scene::LeaveOutFacets()
+{
+  if (this->Dropped.empty())
+  {
+    return;
+  }
+  const auto leaveOut = [this](auto& list)
+  {
+    if (list.empty())
+    {
+      return;
+    }
+    std::size_t kept = 0;
+    auto dropped = this->Dropped.begin();
+    for (std::size_t f = 0; f < list.size(); ++f)
+    {
+      if (dropped != this->Dropped.end() && *dropped == f)
+      {
+        ++dropped;
+      }
+      else
+      {
+        list[kept++] = list[f];
+      }
+    }
+    list.resize(kept);
+  };
+  leaveOut(this->FacetRecords);
+  leaveOut(this->FacetAreas);
+  leaveOut(this->GivenFacets);
+  leaveOut(this->FacetMaterial);
+  leaveOut(this->FacetExitance);
 }
 
 /// How many facets are curved, scatter light in each way, or treat or emit channels unequally.
 void Scene::CountEffects()
 {
-  this->Found.curvedFacets = this->CountGiven([this](std::uint32_t f)
-    { return !this->GivenFacets.empty() && this->GivenFacets[f].origin.corners != WholeFacet; });
-  std::vector<ScatteringSet> ways(this->FacetMaterials.size());
-  std::transform(
-    this->FacetMaterials.begin(), this->FacetMaterials.end(), ways.begin(), ScatteringsOf);
-  for (unsigned s = 0; s < Scatterings; ++s)
+  if (!this->GivenFacets.empty())
   {
-    this->Found.scatteringFacets[s] = this->CountGiven(
-      [&](std::uint32_t f) { return ((ways[this->FacetMaterial[f]] >> s) & 1u) != 0; });
+    this->Found.curvedFacets = this->CountGiven(
+      [this](std::uint32_t f) { return this->GivenFacets[f].origin.corners != WholeFacet; });
   }
-  this->Found.colouredFacets = this->CountGiven(
-    [this](std::uint32_t f)
+  // Parts of a facet have its material and its exitance.
+  std::vector<std::size_t> ofMaterial(this->FacetMaterials.size(), 0);
+  std::uint32_t last = NoFacet;
+  for (std::uint32_t f = 0; f < this->FacetMaterial.size(); ++f)
+  {
+    ofMaterial[this->FacetMaterial[f]] += this->GivenIndex(f) != last;
+    last = this->GivenIndex(f);
+  }
+  for (std::size_t m = 0; m < ofMaterial.size(); ++m)
+  {
+    const Material& material = this->FacetMaterials[m];
+    const ScatteringSet ways = ScatteringsOf(material);
+    for (unsigned s = 0; s < Scatterings; ++s)
     {
-      return IsColoured(this->FacetMaterials[this->FacetMaterial[f]]) ||
-        (!this->FacetExitance.empty() && !IsGrey(this->FacetExitance[f]));
-    });
+      this->Found.scatteringFacets[s] += ((ways >> s) & 1u) != 0 ? ofMaterial[m] : 0;
+    }
+    this->Found.colouredFacets += IsColoured(material) ? ofMaterial[m] : 0;
+  }
+  if (!this->FacetExitance.empty())
+  {
+    this->Found.colouredFacets = this->CountGiven(
+      [this](std::uint32_t f)
+      {
+        return IsColoured(this->FacetMaterials[this->FacetMaterial[f]]) ||
+          !IsGrey(this->FacetExitance[f]);
+      });
+  }
 }
 
-void Scene::BuildBvh(std::vector<glm::vec3> positions)
+void Scene::BuildBvh()
 {
-  std::vector<glm::uvec3> indices;
-  indices.reserve(this->FacetRecords.size());
-  for (const Facet& facet : this->FacetRecords)
-  {
-    indices.push_back(facet.vertices);
-  }
-  std::vector<FacetPart> parts = PartsOfLargeFacets(positions, indices, this->LeastReach);
+  std::vector<FacetPart> parts =
+    PartsOfLargeFacets(this->VertexRecords, this->FacetRecords, this->LeastReach);
   this->Bvh =
-    std::make_unique<EmbreeScene>(std::move(positions), std::move(indices), std::move(parts));
+    std::make_unique<EmbreeScene>(this->VertexRecords, this->FacetRecords, std::move(parts));
 }
 
 void Scene::Intersect(const Ray* rays, Hit* hits, std::size_t count) const
 {
   this->Bvh->Intersect(rays, hits, count);
+}
+
+void Scene::FindOccluded(const Segment* segments, std::uint8_t* occluded, std::size_t count) const
+{
+  this->Bvh->FindOccluded(segments, occluded, count);
+}
+
+Segment Scene::SegmentBetween(const glm::vec3& a, const glm::dvec3& b) const
+{
+  const bool turned = this->Reach(b) < double{ this->Reach(a) };
+  const glm::vec3 from = turned ? glm::vec3(b) : a;
+  const glm::dvec3 way = (turned ? glm::dvec3(a) : b) - glm::dvec3(from);
+  const double length = glm::length(way);
+  const glm::dvec3 direction = length > 0.0 ? way / length : glm::dvec3(0.0, 0.0, 1.0);
+  return { { from, glm::vec3(direction) }, static_cast<float>(length) };
 }
 
 void Scene::ForEachNear(

@@ -38,6 +38,14 @@ public:
   /// See EmbreeScene::Intersect.
   void Intersect(const Ray* rays, Hit* hits, std::size_t count) const;
 
+  /// See EmbreeScene::FindOccluded.
+  void FindOccluded(const Segment* segments, std::uint8_t* occluded, std::size_t count) const;
+
+  /// The segment between two places where rays may start, from the one where coordinates are finer:
+  /// its direction is rounded relative to its length, which then is less than the clearance of the
+  /// other place from facets (OriginOffset).
+  Segment SegmentBetween(const glm::vec3& a, const glm::dvec3& b) const;
+
   /// See EmbreeScene::ForEachNear.
   void ForEachNear(
     const glm::vec3& point, float distance, const std::function<void(std::uint32_t)>& f) const;
@@ -75,8 +83,9 @@ public:
   glm::vec3 SafeOrigin(
     std::uint32_t facet, const glm::vec3& barycentric, bool front, float lift = 0.0f) const;
 
-  /// Bring a record into the cache ahead of its use.
-  void PrefetchFacet(const Hit& hit) const
+  // Bring a record into the cache ahead of its use. Always inlined, since GCC takes a function that
+  // does nothing but prefetch for one without effect and leaves out its calls.
+  [[gnu::always_inline]] inline void PrefetchFacet(const Hit& hit) const
   {
     if (hit)
     {
@@ -87,7 +96,7 @@ public:
       }
     }
   }
-  void PrefetchVertex(std::uint32_t vertex) const
+  [[gnu::always_inline]] inline void PrefetchVertex(std::uint32_t vertex) const
   {
     __builtin_prefetch(&this->VertexRecords[vertex]);
   }
@@ -118,11 +127,22 @@ public:
     return this->GivenFacets.empty() ? this->FacetRecords[facet].vertices
                                      : this->GivenFacets[facet].vertices;
   }
-  /// Area vectors of the ring of a vertex.
-  Range<RingAreas> AreasOfRing(std::uint32_t vertex) const
+  /// The index that a facet, or the one of which it is a part, has in the surface that the user
+  /// gave.
+  std::uint32_t InSurface(std::uint32_t facet) const;
+  /// Calls f(area vector) for the facets of a vertex's ring, each by the vertex's share of it.
+  template <typename F>
+  void ForEachAreaAround(std::uint32_t vertex, const F& f) const
   {
-    const RingAreas* base = this->AreasByRing.data();
-    return { base + this->FirstAreas[vertex], base + this->FirstAreas[vertex + 1] };
+    for (const std::uint32_t facet : this->Rings.Of(vertex))
+    {
+      f(this->GivenFacets.empty() ? this->FacetAreas[facet] : this->SharedArea(facet, vertex));
+    }
+  }
+  /// For each vertex its ring, where facets have neither parts nor copies; else null.
+  const FacetRings* WholeRings() const
+  {
+    return this->GivenFacets.empty() && this->Shared.empty() ? &this->Rings : nullptr;
   }
   /// Area vectors |a_f| n_f of the facets, scene units squared.
   const std::vector<glm::vec3>& AreaVectors() const { return this->FacetAreas; }
@@ -143,9 +163,10 @@ public:
 private:
   void RequireSize() const;
   void CountEffects();
-  void AddFacets(const Surface& surface, const std::vector<glm::vec3>& positions);
-  void AddFacet(const Surface& surface, std::size_t facet, const std::vector<glm::vec3>& positions);
-  bool IsTurned(const Surface& surface, std::size_t facet, const std::vector<glm::vec3>& positions);
+  void AddFacets(const Surface& surface, const PlacedPoints& points);
+  std::uint8_t MakeFacet(const Surface& surface, std::size_t facet, const PlacedPoints& points);
+  void NoteFacets(const Surface& surface, const std::vector<std::uint8_t>& found);
+  void LeaveOutFacets();
   /// The index of the given facet that a facet is a part of, or the facet's own.
   std::uint32_t GivenIndex(std::uint32_t facet) const
   {
@@ -167,16 +188,13 @@ private:
     }
     return number;
   }
-  void AddVertices(const Surface& surface, const std::vector<glm::vec3>& positions);
+  void AddVertices(const Surface& surface, const PlacedPoints& points);
   FacetRings RingsThatCount(std::size_t vertices) const;
   float ShareOfCorner(std::uint32_t facet, int corner) const;
-  void FindAreasAround(
-    std::uint32_t vertex, const FacetRings& rings, std::vector<glm::vec3>& areas) const;
-  void AddRingAreas(const std::vector<glm::vec3>& ring);
-  void AddVertex(
-    const std::vector<glm::vec3>& ring, const glm::dvec3& givenNormal, const glm::vec3& position);
-  glm::dvec3 UsableNormal(const std::vector<glm::vec3>& ring, const glm::dvec3& givenNormal,
-    const glm::dvec3& areaVectors);
+  glm::vec3 SharedArea(std::uint32_t facet, std::uint32_t vertex) const;
+  std::uint8_t MakeVertex(std::uint32_t vertex, const std::vector<glm::vec3>& ring,
+    const glm::dvec3& givenNormal, const glm::vec3& position);
+  void NoteVertices(const std::vector<std::uint8_t>& found);
   void FindSharedPlaces(const std::vector<glm::vec3>& positions);
   void FinishNotesOnSharedPlaces();
   void MarkSharedPlace(const FacetOverlap& overlap);
@@ -186,14 +204,13 @@ private:
   {
     return this->Apart.empty() ? 0.0f : this->Apart[facet];
   }
-  std::uint32_t InSurface(std::uint32_t facet) const; ///< Its index in the surface given.
   bool FindFront(const Ray& ray, Hit& hit) const;
   struct PlaceOfHit;
   PlaceOfHit PlaceOf(const Hit& hit) const;
   std::optional<glm::vec3> WithinShared(std::uint32_t facet, const PlaceOfHit& place) const;
   glm::vec3 SafeOriginOnPart(const Hit& hit, bool front) const;
   glm::vec3 SafeOriginAt(const glm::vec3& point, const Hit& hit, bool front) const;
-  void BuildBvh(std::vector<glm::vec3> positions);
+  void BuildBvh();
   void FindThinGaps();
 
   Placement Place;
@@ -206,8 +223,7 @@ private:
   std::vector<Colour> FacetExitance;
   std::vector<Material> FacetMaterials;
   std::vector<std::uint32_t> FacetMaterial;
-  std::vector<RingAreas> AreasByRing;
-  std::vector<std::uint64_t> FirstAreas; ///< Of each vertex in AreasByRing, and their number.
+  FacetRings Rings; ///< Of the vertices of the map: the facets that count there.
   SceneNotes Found;
   std::vector<double> Areas;
   std::vector<Vertex> VertexRecords;

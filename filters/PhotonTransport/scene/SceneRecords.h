@@ -5,6 +5,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <vector>
+
 namespace PhotonTransport
 {
 
@@ -20,6 +22,13 @@ constexpr float OriginOffset = 0x1p-19f;
 /// corner would land behind the other wall if it were closer to the edge than offset * cot(angle).
 /// 4 is enough for corners of 14 degrees and more; with less, rays get out there.
 constexpr float EdgeClearance = 4.0f;
+
+/// The points of a surface, on the way to the scene's records.
+struct PlacedPoints
+{
+  std::vector<glm::vec3> positions; ///< In scene units.
+  std::vector<glm::dvec3> normals;  ///< See UsableNormal.
+};
 
 /// What the walk needs of a facet, in one half of a cache line.
 struct alignas(32) Facet
@@ -63,13 +72,6 @@ struct alignas(64) Vertex
 
   /// Whether all registrations do the same here as Registration::Flat.
   bool IsFlat() const { return this->sinTilt < 0.0f; }
-};
-
-/// Area vectors of four facets of a ring, by component, so that four cosines are one operation;
-/// unused places are zero.
-struct alignas(16) RingAreas
-{
-  float x[4], y[4], z[4];
 };
 
 } // namespace PhotonTransport

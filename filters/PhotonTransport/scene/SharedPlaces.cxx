@@ -195,8 +195,9 @@ void Scene::FinishNotesOnSharedPlaces()
   SharedPlaceNotes& notes = this->Found.sharedPlaces;
   const auto count = [&](SharedPlaceNote& note, unsigned bit)
   {
-    note.facets = this->CountGiven(
-      [&](std::uint32_t f) { return !this->Shared.empty() && (this->Shared[f] & bit) != 0; });
+    note.facets = this->Shared.empty()
+      ? 0
+      : this->CountGiven([&](std::uint32_t f) { return (this->Shared[f] & bit) != 0; });
   };
   count(notes.copies, IsCopy);
   count(notes.inPart, OverlapsInPart);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/SharedPlanes.h"
 
+#include "PhotonTransport/threads/Threads.h"
+
 #include <glm/geometric.hpp>
 
 #include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace PhotonTransport
@@ -69,33 +72,78 @@ void ForEachCell(const FacetPlane& plane, float cellsPerUnit, const F& f)
   }
 }
 
-/// Most cells hold one plane: counting them in a small table is much faster than sorting them.
-class CellCounts
+/// Which cells hold more than one plane, which most do not: marks in a small table are much faster
+/// than sorting all cells. Cells that share a mark count as one.
+class CellMarks
 {
 public:
-  explicit CellCounts(std::size_t planes)
+  explicit CellMarks(std::size_t planes)
   {
     while ((std::size_t{ 1 } << this->Bits) < 4 * planes)
     {
       ++this->Bits;
     }
-    this->Counts.resize(std::size_t{ 1 } << this->Bits, 0);
+    this->Marks = std::vector<std::atomic<std::uint8_t>>(std::size_t{ 1 } << this->Bits);
   }
+  /// May be called on many threads: what is marked in the end does not depend on their order.
   void Add(std::uint64_t cell)
   {
-    std::uint8_t& count = this->Counts[this->PlaceOf(cell)];
-    count = static_cast<std::uint8_t>(std::min(count + 1, 2));
+    std::atomic<std::uint8_t>& mark = this->Marks[this->PlaceOf(cell)];
+    if (mark.load(std::memory_order_relaxed) < Several &&
+      mark.fetch_or(One, std::memory_order_relaxed) != 0)
+    {
+      mark.fetch_or(Several, std::memory_order_relaxed);
+    }
   }
-  bool HasCompany(std::uint64_t cell) const { return this->Counts[this->PlaceOf(cell)] > 1; }
+  bool HasCompany(std::uint64_t cell) const
+  {
+    return this->Marks[this->PlaceOf(cell)].load(std::memory_order_relaxed) >= Several;
+  }
 
 private:
+  static constexpr std::uint8_t One = 1, Several = 2;
+
   std::size_t PlaceOf(std::uint64_t cell) const
   {
     return static_cast<std::size_t>((cell * 0x9e3779b97f4a7c15u) >> (64 - this->Bits));
   }
   unsigned Bits = 1;
-  std::vector<std::uint8_t> Counts;
+  std::vector<std::atomic<std::uint8_t>> Marks;
 };
+
+/// The planes in the cells that hold more than one.
+std::vector<PlaneMember> MembersWithCompany(
+  const std::vector<FacetPlane>& planes, float cellsPerUnit)
+{
+  CellMarks marks(planes.size());
+  ForEach(planes.size(),
+    [&](std::size_t f)
+    { ForEachCell(planes[f], cellsPerUnit, [&](std::uint64_t cell) { marks.Add(cell); }); });
+  constexpr std::size_t Chunk = 8192;
+  std::vector<std::vector<PlaneMember>> chunks((planes.size() + Chunk - 1) / Chunk);
+  const auto gather = [&](std::size_t c)
+  {
+    const std::size_t end = std::min((c + 1) * Chunk, planes.size());
+    for (auto f = static_cast<std::uint32_t>(c * Chunk); f < end; ++f)
+    {
+      ForEachCell(planes[f], cellsPerUnit,
+        [&](std::uint64_t cell)
+        {
+          if (marks.HasCompany(cell))
+          {
+            chunks[c].push_back({ cell, f });
+          }
+        });
+    }
+  };
+  ForEach(chunks.size(), gather, 1);
+  std::vector<PlaneMember> members;
+  for (const std::vector<PlaneMember>& chunk : chunks)
+  {
+    members.insert(members.end(), chunk.begin(), chunk.end());
+  }
+  return members;
+}
 
 } // namespace
 
@@ -120,37 +168,16 @@ FacetPlane PlaneOf(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
 
 std::vector<PlaneMember> SharedPlanes(const std::vector<FacetPlane>& planes)
 {
-  const float cellsPerUnit = ChooseCellsPerUnit(planes);
-  CellCounts counts(planes.size());
-  for (const FacetPlane& plane : planes)
-  {
-    ForEachCell(plane, cellsPerUnit, [&](std::uint64_t cell) { counts.Add(cell); });
-  }
-  std::vector<PlaneMember> members;
-  for (std::uint32_t f = 0; f < planes.size(); ++f)
-  {
-    ForEachCell(planes[f], cellsPerUnit,
-      [&](std::uint64_t cell)
-      {
-        if (counts.HasCompany(cell))
-        {
-          members.push_back({ cell, f });
-        }
-      });
-  }
+  std::vector<PlaneMember> members = MembersWithCompany(planes, ChooseCellsPerUnit(planes));
   // No two are equal, so there is one order. Only integers are compared, which the floating-point
   // settings of threads do not concern.
   tbb::parallel_sort(members.begin(), members.end());
-  std::vector<PlaneMember> groups;
+  auto end = members.begin();
   ForEachGroup(members,
     [&](const PlaneMember* first, const PlaneMember* last)
-    {
-      if (last - first > 1)
-      {
-        groups.insert(groups.end(), first, last);
-      }
-    });
-  return groups;
+    { end = last - first > 1 ? std::copy(first, last, end) : end; });
+  members.erase(end, members.end());
+  return members;
 }
 
 } // namespace PhotonTransport

@@ -49,6 +49,8 @@ void ValidateSizes(const Surface& surface)
   };
   requireOneEach(surface.materialOfFacet.size(), "indices of materials");
   requireOneEach(surface.exitance.empty() ? facets : surface.exitance.size(), "exitances");
+  requireOneEach(
+    surface.openingOfFacet.empty() ? facets : surface.openingOfFacet.size(), "marks of openings");
   if (!(surface.metresPerUnit > 0.0) || !std::isfinite(surface.metresPerUnit))
   {
     Refuse(Where::TraceSettings, 0, "metres per unit is ", surface.metresPerUnit,

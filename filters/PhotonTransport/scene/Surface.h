@@ -30,6 +30,14 @@ struct GivenSurface
   }
 };
 
+/// What the user says of a facet as an opening, through which outdoor light enters.
+enum class OpeningMark : std::uint8_t
+{
+  None,     ///< Nothing: it is one if it lets light through and leads outdoors.
+  Opening,  ///< It is one.
+  NoOpening ///< It is none, nor is a hole beside it or around it.
+};
+
 /// A triangulated surface as the user describes it, or as it was refined from that.
 struct Surface
 {
@@ -40,7 +48,8 @@ struct Surface
   std::vector<std::uint32_t> materialOfFacet; ///< One a facet: which of the materials.
   /// What the front of each facet emits, >= 0, or empty if none emits. Its Luminous() is in lm/m^2.
   std::vector<Colour> exitance;
-  double metresPerUnit = 1.0; ///< > 0, finite.
+  std::vector<OpeningMark> openingOfFacet; ///< One a facet, or empty if nothing is said of any.
+  double metresPerUnit = 1.0;              ///< > 0, finite.
   /// By how much each coordinate of `points` was rounded at most before it came here, relative to
   /// that coordinate: 2^-24 for points of single precision, 0 for double. >= 0, finite. Surfaces
   /// that lie in one plane up to this are in one place, see SharedPlace.

@@ -21,6 +21,11 @@ constexpr float Narrow = 8.0f;
 /// meant to be in one place, unless a solid body lies between them.
 constexpr double Rounding = 0.125;
 
+/// How far a look back goes at first, in offsets: not as far as the facet itself, yet far enough to
+/// meet all that are not meant to be in its place. Asking whether anything is there takes less than
+/// half the time of asking what is.
+constexpr float FirstLook = 1.0f - 0x1p-5f;
+
 /// A look back at a facet, from where rays that leave its middle start.
 struct Probe
 {
@@ -99,8 +104,33 @@ private:
     }
   }
 
+  /// Leaves out probes that meet nothing before the facet. Solid bodies may have no gap at all, so
+  /// theirs stay.
+  void LeaveOutClear()
+  {
+    std::array<Segment, Together> segments;
+    std::array<std::uint8_t, Together> occluded;
+    for (std::size_t i = 0; i < this->Rays.size(); ++i)
+    {
+      segments[i] = { this->Rays[i], FirstLook * this->Probes[i].offset };
+    }
+    this->SearchedScene.FindOccluded(segments.data(), occluded.data(), this->Rays.size());
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < this->Rays.size(); ++i)
+    {
+      if (occluded[i] != 0 || this->IsSolid(this->Probes[i].facet))
+      {
+        this->Probes[kept] = this->Probes[i];
+        this->Rays[kept++] = this->Rays[i];
+      }
+    }
+    this->Probes.resize(kept);
+    this->Rays.resize(kept);
+  }
+
   void Look()
   {
+    this->LeaveOutClear();
     std::array<Hit, Together> hits;
     this->SearchedScene.Intersect(this->Rays.data(), hits.data(), this->Rays.size());
     for (std::size_t i = 0; i < this->Rays.size(); ++i)

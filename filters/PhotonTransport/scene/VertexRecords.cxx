@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/FacetSide.h"
 #include "PhotonTransport/scene/Scene.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include <glm/geometric.hpp>
 
@@ -21,6 +22,30 @@ Vertex PointOfPatch(const glm::vec3& position)
   return { position, glm::vec3(0.0f), glm::vec3(0.0f), -1.0f, 1.0f };
 }
 
+/// What is to be noted of a vertex, as bits.
+enum FoundAtVertex : std::uint8_t
+{
+  Tilted = 1,
+  NoNormal = 2,      ///< The given one is zero or not finite.
+  NormalInPlane = 4, ///< The given one is in the plane of all facets of the ring.
+};
+
+/// Why a given normal does not tell a front, so that the normal of the ring's fronts takes its
+/// place; 0 if it does.
+std::uint8_t WhyNotUsable(const glm::dvec3& givenNormal, const std::vector<glm::vec3>& ring)
+{
+  if (givenNormal == glm::dvec3(0.0))
+  {
+    return NoNormal;
+  }
+  const auto isInPlane = [&](const glm::vec3& part)
+  {
+    const glm::dvec3 area(part);
+    return std::fabs(glm::dot(givenNormal, area)) <= InPlane * glm::length(area);
+  };
+  return std::all_of(ring.begin(), ring.end(), isInPlane) ? NormalInPlane : 0;
+}
+
 } // namespace
 
 /// The ring of each vertex: the facets of which its hat function covers a part. The corners of
@@ -28,18 +53,20 @@ Vertex PointOfPatch(const glm::vec3& position)
 FacetRings Scene::RingsThatCount(std::size_t vertices) const
 {
   std::vector<glm::uvec3> kept(this->FacetRecords.size());
-  for (std::uint32_t f = 0; f < kept.size(); ++f)
-  {
-    kept[f] = this->GivenVertices(f);
-    for (int corner = 0; corner < 3; ++corner)
+  ForEach(kept.size(),
+    [&](std::size_t i)
     {
-      const bool isCopy = !this->Shared.empty() && ((this->Shared[f] >> corner) & 1u) != 0;
-      if (isCopy || this->ShareOfCorner(f, corner) == 0.0f)
+      const auto f = static_cast<std::uint32_t>(i);
+      kept[f] = this->GivenVertices(f);
+      for (int corner = 0; corner < 3; ++corner)
       {
-        kept[f][corner] = NoVertex;
+        const bool isCopy = !this->Shared.empty() && ((this->Shared[f] >> corner) & 1u) != 0;
+        if (isCopy || this->ShareOfCorner(f, corner) == 0.0f)
+        {
+          kept[f][corner] = NoVertex;
+        }
       }
-    }
-  }
+    });
   return { vertices, kept };
 }
 
@@ -54,65 +81,46 @@ float Scene::ShareOfCorner(std::uint32_t facet, int corner) const
   return corners[0][corner] + corners[1][corner] + corners[2][corner];
 }
 
-/// The area vectors of a vertex's ring, each by the vertex's share of its facet.
-void Scene::FindAreasAround(
-  std::uint32_t vertex, const FacetRings& rings, std::vector<glm::vec3>& areas) const
+/// The area vector of a facet by the share of a given vertex.
+glm::vec3 Scene::SharedArea(std::uint32_t facet, std::uint32_t vertex) const
 {
-  areas.clear();
-  for (const std::uint32_t f : rings.Of(vertex))
-  {
-    const glm::uvec3& ids = this->GivenVertices(f);
-    const int corner = ids.x == vertex ? 0 : ids.y == vertex ? 1 : 2;
-    areas.push_back(this->ShareOfCorner(f, corner) * this->FacetAreas[f]);
-  }
+  const glm::uvec3& ids = this->GivenVertices(facet);
+  const int corner = ids.x == vertex ? 0 : ids.y == vertex ? 1 : 2;
+  return this->ShareOfCorner(facet, corner) * this->FacetAreas[facet];
 }
 
-void Scene::AddVertices(const Surface& surface, const std::vector<glm::vec3>& positions)
+void Scene::AddVertices(const Surface& surface, const PlacedPoints& points)
 {
+  const std::vector<glm::vec3>& positions = points.positions;
   const std::size_t onMap = surface.IsRefined() ? surface.given.points : positions.size();
-  const FacetRings rings = this->RingsThatCount(onMap);
-  std::size_t groups = 0; // growing by doubling would take three times the memory for a moment
-  for (std::uint32_t v = 0; v < onMap; ++v)
-  {
-    const Range<std::uint32_t> ring = rings.Of(v);
-    groups += static_cast<std::size_t>(ring.end() - ring.begin() + 3) / 4;
-  }
-  this->AreasByRing.reserve(groups);
-  this->VertexRecords.reserve(positions.size());
-  this->Areas.reserve(onMap);
-  this->FirstAreas.reserve(onMap + 1);
-  this->FirstAreas.push_back(0);
-  std::vector<glm::vec3> ring;
-  for (std::uint32_t v = 0; v < onMap; ++v)
-  {
-    this->FindAreasAround(v, rings, ring);
-    this->AddRingAreas(ring);
-    this->AddVertex(ring, PhotonTransport::UsableNormal(surface.normals[v]), positions[v]);
-  }
-  for (std::size_t v = onMap; v < positions.size(); ++v)
-  {
-    this->VertexRecords.push_back(PointOfPatch(positions[v]));
-  }
-}
-
-void Scene::AddRingAreas(const std::vector<glm::vec3>& ring)
-{
-  for (std::size_t i = 0; i < ring.size(); ++i)
-  {
-    if (i % 4 == 0)
+  this->Rings = this->RingsThatCount(onMap);
+  this->VertexRecords.resize(positions.size());
+  this->Areas.resize(onMap);
+  std::vector<std::uint8_t> found(onMap);
+  ParallelFor(
+    0, positions.size(),
+    [&](std::uint64_t begin, std::uint64_t end)
     {
-      this->AreasByRing.push_back({});
-    }
-    RingAreas& four = this->AreasByRing.back();
-    four.x[i % 4] = ring[i].x;
-    four.y[i % 4] = ring[i].y;
-    four.z[i % 4] = ring[i].z;
-  }
-  this->FirstAreas.push_back(this->AreasByRing.size());
+      std::vector<glm::vec3> ring;
+      for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v)
+      {
+        if (v >= onMap)
+        {
+          this->VertexRecords[v] = PointOfPatch(positions[v]);
+          continue;
+        }
+        ring.clear();
+        this->ForEachAreaAround(v, [&](const glm::vec3& area) { ring.push_back(area); });
+        found[v] = this->MakeVertex(v, ring, points.normals[v], positions[v]);
+      }
+    },
+    SimpleCalls);
+  this->NoteVertices(found);
 }
 
-void Scene::AddVertex(
-  const std::vector<glm::vec3>& ring, const glm::dvec3& givenNormal, const glm::vec3& position)
+/// @return What is to be noted of it, as FoundAtVertex.
+std::uint8_t Scene::MakeVertex(std::uint32_t vertex, const std::vector<glm::vec3>& ring,
+  const glm::dvec3& givenNormal, const glm::vec3& position)
 {
   glm::dvec3 areaVectors(0.0);
   double areas = 0.0;
@@ -121,14 +129,16 @@ void Scene::AddVertex(
     areaVectors += glm::dvec3(area);
     areas += glm::length(glm::dvec3(area));
   }
-  this->Areas.push_back(areas / 3.0 * this->SquareMetresPerSceneArea());
+  this->Areas[vertex] = areas / 3.0 * this->SquareMetresPerSceneArea();
   if (!(areas > 0.0))
   {
-    this->VertexRecords.push_back({ position, glm::vec3(0.0f), glm::vec3(0.0f), 2.0f, 0.0f });
-    return;
+    this->VertexRecords[vertex] = { position, glm::vec3(0.0f), glm::vec3(0.0f), 2.0f, 0.0f };
+    return 0;
   }
 
-  const glm::dvec3 normal = this->UsableNormal(ring, givenNormal, areaVectors);
+  const std::uint8_t replaced = WhyNotUsable(givenNormal, ring);
+  const glm::dvec3 normal =
+    replaced == 0 ? givenNormal : PhotonTransport::UsableNormal(areaVectors);
   double leastCosine = 1.0;
   for (const glm::vec3& area : ring)
   {
@@ -137,33 +147,22 @@ void Scene::AddVertex(
   const double sinTilt =
     leastCosine > 0.0 ? std::sqrt(std::max(0.0, 1.0 - leastCosine * leastCosine)) : 2.0;
   const bool flat = sinTilt <= NoTilt;
-  this->Found.tiltedVertices += !flat;
-  this->VertexRecords.push_back({ position, glm::vec3(normal), glm::vec3(areaVectors / areas),
-    flat ? -1.0f : static_cast<float>(sinTilt), static_cast<float>(1.0 / areas) });
+  this->VertexRecords[vertex] = { position, glm::vec3(normal), glm::vec3(areaVectors / areas),
+    flat ? -1.0f : static_cast<float>(sinTilt), static_cast<float>(1.0 / areas) };
+  return static_cast<std::uint8_t>(replaced | (flat ? 0 : Tilted));
 }
 
-/// The given normal, or the normal of the ring's fronts if the given one does not tell a front.
-glm::dvec3 Scene::UsableNormal(
-  const std::vector<glm::vec3>& ring, const glm::dvec3& givenNormal, const glm::dvec3& areaVectors)
+void Scene::NoteVertices(const std::vector<std::uint8_t>& found)
 {
-  if (givenNormal == glm::dvec3(0.0))
+  for (std::size_t v = 0; v < found.size(); ++v)
   {
-    ++this->Found.replacedNormals;
+    this->Found.tiltedVertices += (found[v] & Tilted) != 0;
+    this->Found.replacedNormals += (found[v] & NoNormal) != 0;
+    if ((found[v] & NormalInPlane) != 0)
+    {
+      this->Found.inPlaneNormals.Add(v);
+    }
   }
-  else if (std::all_of(ring.begin(), ring.end(),
-             [&](const glm::vec3& part)
-             {
-               const glm::dvec3 area(part);
-               return std::fabs(glm::dot(givenNormal, area)) <= InPlane * glm::length(area);
-             }))
-  {
-    this->Found.inPlaneNormals.Add(this->VertexRecords.size());
-  }
-  else
-  {
-    return givenNormal;
-  }
-  return PhotonTransport::UsableNormal(areaVectors);
 }
 
 } // namespace PhotonTransport

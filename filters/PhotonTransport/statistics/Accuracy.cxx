@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace PhotonTransport
 {
@@ -20,33 +21,42 @@ double Quantile(std::vector<double>& values, double share)
   return values[static_cast<std::size_t>(rank)];
 }
 
-/// The p of error ~ photons^-p, from the last fourfold growth: 1/2 for independent photons, up to 1
+/// The part of the error that falls with the number of photons.
+double RelativeNoise(const MapErrors& row)
+{
+  const double facets = row.relativeFacetError / std::max(row.relativeError, 1e-300);
+  return row.relativeError * std::sqrt(std::max(0.0, 1.0 - facets * facets));
+}
+
+/// The p of noise ~ photons^-p, from the last fourfold growth: 1/2 for independent photons, up to 1
 /// where Sobol points pay.
 double FallingPower(const Accuracy& now, const std::vector<Accuracy>& earlier)
 {
   constexpr double Independent = 0.5;
   constexpr double Best = 1.0;
   const auto before = std::find_if(earlier.rbegin(), earlier.rend(),
-    [&](const Accuracy& row) { return row.photons <= now.photons / 4; });
-  if (before == earlier.rend() || !(before->relativeError > 0.0))
+    [&](const Accuracy& row)
+    { return row.photons <= now.photons / 4 && row.region.has_value() == now.region.has_value(); });
+  if (before == earlier.rend() || !(RelativeNoise(before->Targeted()) > 0.0))
   {
     return Independent;
   }
   const double growth = static_cast<double>(now.photons) / static_cast<double>(before->photons);
   return std::clamp(
-    std::log(before->relativeError / now.relativeError) / std::log(growth), Independent, Best);
+    std::log(RelativeNoise(before->Targeted()) / RelativeNoise(now.Targeted())) / std::log(growth),
+    Independent, Best);
 }
 
-/// Of the standard error, by area. The squares are of ratios, which neither vanish nor overflow
-/// where the light is very weak or very strong.
+/// Of errors, by area. The squares are of ratios, which neither vanish nor overflow where the light
+/// is very weak or very strong.
 double RelativeRms(
-  const IlluminationMap& map, const std::vector<double>& areas, double meanIlluminance)
+  const std::vector<double>& errors, const std::vector<double>& areas, double meanIlluminance)
 {
   double sumOfAreas = 0.0;
   double sumOfSquares = 0.0;
-  for (std::size_t v = 0; v < areas.size(); ++v)
+  for (std::size_t v = 0; v < errors.size(); ++v)
   {
-    const double ratio = map.standardError[v] / meanIlluminance;
+    const double ratio = errors[v] / meanIlluminance;
     sumOfAreas += areas[v];
     sumOfSquares += areas[v] * ratio * ratio;
   }
@@ -55,7 +65,8 @@ double RelativeRms(
 
 } // namespace
 
-void MeasureErrors(Accuracy& accuracy, const IlluminationMap& map, const std::vector<double>& areas)
+MapErrors MeasureErrors(const IlluminationMap& map, const std::vector<double>& areas,
+  const std::vector<double>& facetError)
 {
   double sumOfAreas = 0.0;
   double flux = 0.0;
@@ -66,21 +77,43 @@ void MeasureErrors(Accuracy& accuracy, const IlluminationMap& map, const std::ve
     const double total = map.direct[v] + map.indirect[v];
     sumOfAreas += areas[v];
     flux += areas[v] * total;
-    if (total > 0.0)
+    if (total > 0.0 && areas[v] > 0.0)
     {
       relative.push_back(map.standardError[v] / total);
     }
   }
   // No hit yet: nothing is known, and 0 would end a run that has a target.
-  accuracy.relativeError = flux > 0.0 ? RelativeRms(map, areas, flux / sumOfAreas) : 1.0;
-  accuracy.medianRelativeError = Quantile(relative, 0.5);
-  accuracy.percentile95RelativeError = Quantile(relative, 0.95);
+  MapErrors errors;
+  errors.relativeError =
+    flux > 0.0 ? RelativeRms(map.standardError, areas, flux / sumOfAreas) : 1.0;
+  if (flux > 0.0 && !facetError.empty())
+  {
+    errors.relativeFacetError = RelativeRms(facetError, areas, flux / sumOfAreas);
+    errors.relativeError = std::hypot(errors.relativeError, errors.relativeFacetError);
+  }
+  errors.medianRelativeError = Quantile(relative, 0.5);
+  errors.percentile95RelativeError = Quantile(relative, 0.95);
+  return errors;
+}
+
+bool FacetsAreTooLarge(const MapErrors& errors, double target)
+{
+  return errors.relativeFacetError >= std::max(target, RelativeNoise(errors));
 }
 
 void PredictCost(Accuracy& accuracy, const std::vector<Accuracy>& earlier, double target)
 {
+  const MapErrors& errors = accuracy.Targeted();
+  const double facets = errors.relativeFacetError / target;
+  if (facets >= 1.0)
+  {
+    accuracy.predictedPhotons = std::numeric_limits<double>::infinity();
+    accuracy.predictedSeconds = std::numeric_limits<double>::infinity();
+    return;
+  }
   const double growth =
-    std::pow(accuracy.relativeError / target, 1.0 / FallingPower(accuracy, earlier));
+    std::pow(RelativeNoise(errors) / (target * std::sqrt(1.0 - facets * facets)),
+      1.0 / FallingPower(accuracy, earlier));
   accuracy.predictedPhotons = static_cast<double>(accuracy.photons) * std::max(1.0, growth);
   accuracy.predictedSeconds = accuracy.seconds * std::max(1.0, growth);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace PhotonTransport
 {
@@ -17,27 +18,55 @@ namespace PhotonTransport
 /// used, so that 3 standard errors hold the true value as often as those of 8 replicates do, 98 %.
 /// A hit adds its barycentric coordinate times a compensating factor. The coordinates of hits that
 /// are spread over a facet have the mean 1/3 and the mean square 1/6, which gives MeanSquare.
+///
+/// Where photons start with different weights, hits are taken to have the least of them with which
+/// they could add up to the sum; it decides the error. If that is not the least of all, no more
+/// hits can have had it than make up the sum, and only these count. Without a hit nothing tells
+/// which photons would come, and the largest start weight counts.
 class FewHits
 {
 public:
   /// @param meanWeight The mean weight of a hit, over all vertices; 1/3 without compensation.
   /// @param replicates Whether there are replicates that tell a spread. If not, the number of hits
   /// counts in full, however many there are.
-  FewHits(double meanWeight, bool replicates)
-    : MeanSquareWeight(MeanSquare * meanWeight * meanWeight)
+  /// @param startWeights Of photons, those that are 0 do not count.
+  FewHits(double meanWeight, bool replicates, const std::vector<float>& startWeights = { 1.0f })
+    : StartWeights(startWeights.begin(), startWeights.end())
+    , MeanWeight(meanWeight)
     , Replicates(replicates)
   {
+    std::sort(this->StartWeights.begin(), this->StartWeights.end());
+    this->StartWeights.erase(
+      std::unique(this->StartWeights.begin(), this->StartWeights.end()), this->StartWeights.end());
+    if (this->StartWeights.size() > 1 && this->StartWeights.front() == 0.0)
+    {
+      this->StartWeights.erase(this->StartWeights.begin());
+    }
+    if (this->StartWeights.size() > 1)
+    {
+      this->MeanWeight = WithoutCompensation; // the mean mixes start weights
+    }
   }
 
   /// The standard error of the sum of weights: the spread of the replicates, but at least what the
   /// number of hits says. That counts in full up to 9 hits, less and less beyond, and not at all
-  /// from 30 on. @param spread The standard error by the replicates.
-  double StandardError(double spread, std::uint64_t hits) const
+  /// from 30 on. @param spread The standard error by the replicates. @param sum Of the weights.
+  double StandardError(double spread, std::uint64_t hits, double sum = 0.0) const
   {
-    const auto n = static_cast<double>(hits);
+    auto n = static_cast<double>(hits);
+    auto start = this->StartWeights.begin();
+    while (start + 1 != this->StartWeights.end() && (hits == 0 || n * *start < sum))
+    {
+      ++start;
+    }
+    const double weight = this->MeanWeight * *start;
+    n = start == this->StartWeights.begin() ? n : std::min(n, sum / weight);
     const double trust = this->Replicates ? std::clamp((Many - n) / (Many - Few), 0.0, 1.0) : 1.0;
-    return std::max(spread, std::sqrt(trust * (n + Prior) * this->MeanSquareWeight));
+    const double meanSquareWeight = MeanSquare * weight * weight;
+    return std::max(spread, std::sqrt(trust * (n + Prior) * meanSquareWeight));
   }
+
+  static constexpr double WithoutCompensation = 1.0 / 3.0; ///< The mean weight.
 
 private:
   static constexpr double MeanSquare = 1.5; ///< Of the coordinates, over their squared mean.
@@ -45,7 +74,8 @@ private:
   static constexpr double Few = 9.0;        ///< Up to so many count in full.
   static constexpr double Many = 30.0;
 
-  double MeanSquareWeight;
+  std::vector<double> StartWeights; ///< Rising, each once; never empty.
+  double MeanWeight;
   bool Replicates;
 };
 

@@ -18,7 +18,16 @@ Walk WalkFor(const Effects& effects);
 using BlockTracer = void (*)(const WalkSettings& settings, float weightBound, std::uint64_t first,
   std::uint64_t last, IlluminationSums& sums);
 
+/// What the walk that is compiled registers.
+struct RegistrationChoice
+{
+  Registration registration;
+  bool backSide;
+  bool
+    cells; ///< Count light by WalkSettings::cells, and register no more than caustics at vertices.
+};
+
 /// The function that is compiled for just this walk and this registration.
-BlockTracer CompiledWalk(Walk walk, Registration registration, bool backSide);
+BlockTracer CompiledWalk(Walk walk, const RegistrationChoice& choice);
 
 } // namespace PhotonTransport

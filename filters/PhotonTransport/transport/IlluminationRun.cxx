@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/transport/IlluminationRun.h"
 
-#include "PhotonTransport/scene/InvalidInput.h"
+#include "PhotonTransport/registration/FacetCells.h"
+#include "PhotonTransport/transport/SecondPass.h"
+#include "PhotonTransport/transport/Stopwatch.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <string>
+#include <functional>
 #include <utility>
 
 namespace PhotonTransport
@@ -14,86 +15,71 @@ namespace PhotonTransport
 namespace
 {
 
-/// A round ends with this many times the photons of the one before. Towards a target rounds are
-/// short enough to stop near it; otherwise they are so long that measuring the error costs little.
-constexpr double GrowthTowardsTarget = 1.5;
-constexpr double Growth = 2.0;
-
-/// Photons of a slice for each vertex: adding up the threads' sums costs a few photons' time a
-/// vertex.
-constexpr std::uint64_t SlicePhotonsPerVertex = 2;
-constexpr std::uint64_t LeastSlice = 256; // blocks
-
-/// The first round of each replicate, in blocks: small, so that something is known soon, but not
-/// below a photon a vertex, or adding up and measuring the error would cost more than tracing.
-constexpr std::uint64_t FirstRound = 8;
-
-/// Adds the time of its life to a total.
-class Stopwatch
-{
-public:
-  explicit Stopwatch(double& total)
-    : Total(total)
-  {
-  }
-  ~Stopwatch()
-  {
-    const auto passed = std::chrono::steady_clock::now() - this->Start;
-    this->Total += std::chrono::duration<double>(passed).count();
-  }
-
-private:
-  double& Total;
-  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
-};
-
-[[noreturn]] void RefuseRule(const std::string& message)
-{
-  throw InvalidInput(InvalidInput::Where::TraceSettings, 0, message);
-}
+/// The share of the second pass in the time of a run, for want of a better guess.
+constexpr double GatheringShare = 0.7;
 
 } // namespace
 
-void Validate(const StopRules& rules)
+IlluminationRun::IlluminationRun(
+  const Scene& scene, const Lighting& lighting, const TraceSettings& settings, Openings openings)
+  : LitScene(scene)
+  , Settings(settings)
+  , Cells(SecondPass::CellsFor(scene, settings))
+  , Tracer(scene, lighting, settings, this->Cells.get(), this->Cells ? Openings() : openings)
+  , Second(this->Cells ? std::make_unique<SecondPass>(
+                           scene, *this->Cells, this->Tracer, settings, std::move(openings))
+                       : nullptr)
 {
-  // The first round of so many photons can't fill a sum; ReplicateSums::AreFull looks after the
-  // later ones.
-  constexpr std::uint64_t MostPhotons = 10'000'000'000u;
-  if (rules.photons < 1 || rules.photons > MostPhotons)
-  {
-    RefuseRule("the number of photons is " + std::to_string(rules.photons) +
-      "; it must be between 1 and " + std::to_string(MostPhotons));
-  }
-  if (!(rules.relativeError >= 0.0) || !std::isfinite(rules.relativeError))
-  {
-    RefuseRule("the target relative error is " + std::to_string(rules.relativeError) +
-      "; it must be 0 (no target) or more");
-  }
-  if (!(rules.seconds >= 0.0) || !std::isfinite(rules.seconds))
-  {
-    RefuseRule("the time limit is " + std::to_string(rules.seconds) +
-      " s; it must be 0 (none) or more, and finite");
-  }
+  this->Sums = ReplicateSums(settings.replicates, this->Tracer.EmptySums());
 }
 
-IlluminationRun::IlluminationRun(
-  const Scene& scene, const Lighting& lighting, const TraceSettings& settings)
-  : LitScene(scene)
-  , Tracer(scene, lighting, settings)
+IlluminationRun::~IlluminationRun() = default;
+
+void IlluminationRun::WorkAlone()
 {
-  IlluminationSums empty = this->Tracer.EmptySums();
-  this->Sums.layers = std::exchange(empty.layers, {});
-  this->Sums.replicates.assign(settings.replicates, empty);
+  this->ShareWith(this->Alone);
+}
+
+void IlluminationRun::ShareWith(Ranks& ranks)
+{
+  this->Sharing = &ranks;
+  this->Part = ranks.AreSeveral() ? this->Tracer.EmptySums() : IlluminationSums();
+  if (this->Second)
+  {
+    this->Second->ShareWith(ranks);
+  }
 }
 
 StopReason IlluminationRun::Advance(const StopRules& rules, const ProgressMonitor& monitor)
 {
   Validate(rules);
   this->LargestFraction = 0.0;
+  if (!this->Rows.empty() && this->FacetsCount != rules.countFacetError)
+  {
+    const Stopwatch stopwatch(this->SecondsTraced);
+    this->FacetsCount = rules.countFacetError;
+    this->MeasureErrorsOf(this->Rows.back());
+  }
+  this->AgreeOnTime();
+  if (rules.relativeError > 0.0 && !this->Rows.empty()) // the target or the region may be another
+  {
+    PredictCost(this->Rows.back(), this->Rows, rules.relativeError);
+  }
   std::optional<StopReason> reason = this->RuleReached(rules);
+  if (reason && this->Second && !this->Second->HasGathered(this->Sums))
+  {
+    // An abort has left photons without a second pass.
+    reason = this->GatherRound(rules, monitor).value_or(*reason);
+    this->AddRow(rules);
+  }
   while (!reason)
   {
     reason = this->TraceRound(rules, monitor);
+    if (!reason || (this->Second && !this->Second->HasGathered()))
+    {
+      const std::optional<StopReason> gathered = this->GatherRound(rules, monitor);
+      reason = reason ? reason : gathered;
+    }
     this->AddRow(rules);
     if (!reason)
     {
@@ -103,6 +89,52 @@ StopReason IlluminationRun::Advance(const StopRules& rules, const ProgressMonito
   return *reason;
 }
 
+/// The second pass over what photons have lit up to now.
+std::optional<StopReason> IlluminationRun::GatherRound(
+  const StopRules& rules, const ProgressMonitor& monitor)
+{
+  if (!this->Second)
+  {
+    return std::nullopt;
+  }
+  bool aborted = false;
+  bool paused = false;
+  bool done = false;
+  {
+    const Stopwatch stopwatch(this->SecondsTraced);
+    const FinalGathering::Progress progress = [&](double share)
+    {
+      const double seconds = stopwatch.Seconds();
+      aborted = monitor && !monitor(this->ProgressOfGathering(rules, share, seconds));
+      paused = !aborted && rules.stopSoon && rules.stopSoon();
+      return !aborted && !paused &&
+        (rules.seconds == 0.0 || this->SecondsTraced + seconds < rules.seconds);
+    };
+    done = this->Second->Gather(this->Sums, progress);
+  }
+  this->AgreeOnTime();
+  aborted = this->Sharing->Any(aborted);
+  if (done)
+  {
+    return std::nullopt;
+  }
+  return aborted ? StopReason::Abort : (paused ? StopReason::Paused : StopReason::TimeLimit);
+}
+
+RunProgress IlluminationRun::ProgressOfGathering(
+  const StopRules& rules, double done, double seconds)
+{
+  RunProgress progress = this->ProgressTowards(rules, 0);
+  progress.isGathering = true;
+  if (rules.relativeError == 0.0 && rules.seconds == 0.0) // this is the only, last part
+  {
+    this->LargestFraction = progress.fraction =
+      std::max(this->LargestFraction, GatheringShare * done + 1.0 - GatheringShare);
+    progress.secondsLeft = done > 0.0 ? seconds * (1.0 / done - 1.0) : 0.0;
+  }
+  return progress;
+}
+
 std::optional<StopReason> IlluminationRun::RuleReached(const StopRules& rules) const
 {
   if (this->Sums.AreFull()) // a round at most triples the photons
@@ -110,14 +142,19 @@ std::optional<StopReason> IlluminationRun::RuleReached(const StopRules& rules) c
     return StopReason::SumsFull;
   }
   if (rules.relativeError > 0.0 && !this->Rows.empty() &&
-    this->Rows.back().relativeError <= rules.relativeError)
+    this->Rows.back().Targeted().relativeError <= rules.relativeError)
   {
     return StopReason::RelativeError;
   }
   if (rules.relativeError > 0.0 && this->BlocksTraced() * PhotonBlock >= MostPhotonsInTheDark &&
-    !this->Sums.AnyLight(&IlluminationSums::front) && !this->Sums.AnyLight(&IlluminationSums::back))
+    !this->Sums.AnyLight(&ReplicateSums::front) && !this->Sums.AnyLight(&ReplicateSums::back))
   {
     return StopReason::NothingLit;
+  }
+  if (rules.relativeError > 0.0 && rules.countFacetError && !this->Rows.empty() &&
+    FacetsAreTooLarge(this->Rows.back().Targeted(), rules.relativeError))
+  {
+    return StopReason::FacetsTooLarge;
   }
   if (this->BlocksTraced() * PhotonBlock >= rules.photons)
   {
@@ -136,63 +173,38 @@ bool IlluminationRun::CanGoOnTo(std::uint64_t photons) const
     this->BlocksTraced() <= this->BlocksFor(photons) * this->Sums.replicates.size();
 }
 
-std::uint64_t IlluminationRun::NextRound(const StopRules& rules) const
+void IlluminationRun::SetRegion(const std::vector<double>& shares)
 {
-  const std::uint64_t replicates = this->Sums.replicates.size();
-  const std::uint64_t limit = this->BlocksFor(rules.photons);
-  const std::uint64_t first =
-    std::max<std::uint64_t>(FirstRound, this->LitScene.NumberOfMapVertices() / PhotonBlock);
-  const auto traced = static_cast<double>(this->BlocksTraced() / replicates);
-  const double growth = rules.relativeError > 0.0 ? GrowthTowardsTarget : Growth;
-  double next = std::max(static_cast<double>(first), growth * traced);
-  if (next * GrowthTowardsTarget > static_cast<double>(limit))
+  std::vector<double> areas(shares.size());
+  std::transform(shares.begin(), shares.end(), this->LitScene.VertexAreas().begin(), areas.begin(),
+    std::multiplies<>());
+  if (areas == this->RegionAreas)
   {
-    next = static_cast<double>(limit); // rather than leave a small last round
+    return;
   }
-  if (rules.relativeError > 0.0 && !this->Rows.empty())
+  this->RegionAreas = std::move(areas);
+  for (Accuracy& row : this->Rows)
   {
-    // A little more than predicted, lest the round ends just short of the target.
-    constexpr double Reserve = 1.02;
-    const double enough =
-      Reserve * this->Rows.back().predictedPhotons / static_cast<double>(replicates * PhotonBlock);
-    next = std::min(next, std::max(enough, traced + 1.0));
+    row.region.reset(); // their maps are gone
   }
-  return std::min(limit, static_cast<std::uint64_t>(std::ceil(next)));
+  if (!this->Rows.empty())
+  {
+    this->MeasureErrorsOf(this->Rows.back());
+  }
 }
 
-std::optional<StopReason> IlluminationRun::TraceRound(
-  const StopRules& rules, const ProgressMonitor& monitor)
+void IlluminationRun::MeasureErrorsOf(Accuracy& row) const
 {
-  const std::uint64_t end = this->NextRound(rules);
-  const std::uint64_t slice = std::max<std::uint64_t>(
-    LeastSlice, SlicePhotonsPerVertex * this->LitScene.NumberOfMapVertices() / PhotonBlock);
-  for (std::uint32_t r = 0; r < this->Sums.replicates.size(); ++r)
+  const bool onlyBacks =
+    !this->Sums.AnyLight(&ReplicateSums::front) && this->Sums.AnyLight(&ReplicateSums::back);
+  const IlluminationMap map = onlyBacks ? this->Back() : this->Front();
+  const std::vector<double> facetError =
+    this->FacetsCount ? this->FacetErrorOf(map) : std::vector<double>();
+  static_cast<MapErrors&>(row) = MeasureErrors(map, this->LitScene.VertexAreas(), facetError);
+  if (!this->RegionAreas.empty())
   {
-    while (this->BlocksOf(r) < end)
-    {
-      const std::uint64_t count = std::min(slice, end - this->BlocksOf(r));
-      if (!this->TraceSlice(r, count, rules, monitor))
-      {
-        return StopReason::Abort;
-      }
-      if (rules.seconds > 0.0 && this->SecondsTraced >= rules.seconds)
-      {
-        return StopReason::TimeLimit;
-      }
-    }
+    row.region = MeasureErrors(map, this->RegionAreas, facetError);
   }
-  return std::nullopt;
-}
-
-bool IlluminationRun::TraceSlice(
-  std::uint32_t number, std::uint64_t count, const StopRules& rules, const ProgressMonitor& monitor)
-{
-  const Stopwatch stopwatch(this->SecondsTraced);
-  const Monitor report = [&](std::uint64_t done)
-  { return monitor(this->ProgressTowards(rules, done)); };
-  this->WithoutGaps = this->Tracer.Trace(number, this->BlocksOf(number), count,
-    this->Sums.replicates[number], monitor ? report : Monitor(), &this->Sums.layers);
-  return this->WithoutGaps;
 }
 
 void IlluminationRun::AddRow(const StopRules& rules)
@@ -200,12 +212,13 @@ void IlluminationRun::AddRow(const StopRules& rules)
   Accuracy row;
   {
     const Stopwatch stopwatch(this->SecondsTraced);
-    const bool onlyBacks = !this->Sums.AnyLight(&IlluminationSums::front) &&
-      this->Sums.AnyLight(&IlluminationSums::back);
-    MeasureErrors(row, onlyBacks ? this->Back() : this->Front(), this->LitScene.VertexAreas());
+    this->FacetsCount = rules.countFacetError;
+    this->MeasureErrorsOf(row);
   }
+  this->AgreeOnTime();
   const PhotonBalance balance = this->Balance();
   row.photons = balance.emitted;
+  row.gatherRays = this->Second ? this->Second->Rays(this->Sums) : 0;
   row.seconds = this->SecondsTraced;
   row.segmentsPerSecond = static_cast<double>(balance.segments) / row.seconds;
   if (rules.relativeError > 0.0)
@@ -228,26 +241,13 @@ RunProgress IlluminationRun::ProgressTowards(const StopRules& rules, std::uint64
   {
     fraction = std::max(fraction, photons / this->Rows.back().predictedPhotons);
   }
+  if (this->Second)
+  {
+    fraction *= 1.0 - GatheringShare;
+  }
   // Predictions rise and fall, but progress must not fall.
   this->LargestFraction = std::clamp(fraction, this->LargestFraction, 1.0);
   return { this->LargestFraction, seconds * (1.0 / this->LargestFraction - 1.0) };
-}
-
-double IlluminationRun::FluxSwitchedOff(Scattering scattering) const
-{
-  return this->FluxOf(this->Balance().switchedOff[static_cast<unsigned>(scattering)]);
-}
-
-double IlluminationRun::FluxOf(std::uint64_t photons) const
-{
-  const auto emitted = static_cast<double>(this->Balance().emitted);
-  return emitted > 0.0 ? this->Flux() / emitted * static_cast<double>(photons) : 0.0;
-}
-
-double IlluminationRun::FluxCutByWeightBound() const
-{
-  const auto emitted = static_cast<double>(this->Balance().emitted);
-  return emitted > 0.0 ? this->Flux() / emitted * this->Sums.CutByWeightBound() : 0.0;
 }
 
 } // namespace PhotonTransport

@@ -2,6 +2,7 @@
 #include "PhotonTransport/transport/MemoryNeed.h"
 
 #include "PhotonTransport/effects/Effects.h"
+#include "PhotonTransport/geometry/Placement.h"
 #include "PhotonTransport/materials/Scattering.h"
 #include "PhotonTransport/refinement/FacetParts.h"
 #include "PhotonTransport/refinement/Subdivision.h"
@@ -9,7 +10,10 @@
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/scene/SceneRecords.h"
 #include "PhotonTransport/threads/Threads.h"
+#include "PhotonTransport/transport/GatheringMemory.h"
+#include "PhotonTransport/transport/SideSums.h"
 
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 #include <algorithm>
@@ -24,26 +28,38 @@ namespace
 
 // Bytes for each facet and vertex. Test: Testing/Stability/FilterMemoryTest measures.
 
-/// What Embree takes while it builds: up to 103 measured from 1000 to 2 million facets (3.13).
-constexpr std::uint64_t EmbreePerFacet = 128;
+/// What Embree takes while it builds and what it keeps: up to 135 and 95 measured from 100 thousand
+/// to 4 million facets (3.13). While it builds no light is summed yet, so only the larger of both
+/// counts. Lists with which facets in one place are found take less, and are gone by then.
+constexpr std::uint64_t EmbreeBuildsPerFacet = 144;
+constexpr std::uint64_t EmbreeKeepsPerFacet = 100;
+
+/// What the heap keeps of lists that are freed, as pieces too small for what comes later: up to 40
+/// bytes for each facet measured. Lists of more than 32 MiB go back to the system as a whole.
+std::uint64_t HeapKeeps(std::uint64_t facets)
+{
+  constexpr std::uint64_t PerFacet = 40;
+  constexpr std::uint64_t Most = std::uint64_t{ 1 } << 27;
+  return std::min(facets * PerFacet, Most);
+}
 
 /// The Surface itself, and for each facet and vertex the cell and point it comes from.
 constexpr std::uint64_t InputPerFacet = sizeof(glm::uvec3) + sizeof(std::int64_t);
 constexpr std::uint64_t InputPerVertex = 2 * sizeof(glm::dvec3) + sizeof(std::int64_t);
 
-/// Facets that are traced in parts, of which there are an eighth as many at most: the list, doubled
-/// as it grows, and Embree's points, indices and tree.
-constexpr std::uint64_t PartsPerFacet =
-  (2 * sizeof(FacetPart) + 2 * (3 * sizeof(glm::vec3) + sizeof(glm::uvec3)) + EmbreePerFacet) / 8;
+/// A part of a facet that is traced in parts: the list, doubled as it grows, and Embree's points,
+/// indices and tree.
+constexpr std::uint64_t PerPart =
+  2 * sizeof(FacetPart) + 2 * (3 * sizeof(glm::vec3) + sizeof(glm::uvec3)) + EmbreeBuildsPerFacet;
 
-/// Records, area vectors, rings and three lists of indices (one is Embree's); the areas
-/// of a ring fill groups of four.
-constexpr std::uint64_t ScenePerFacet = sizeof(Facet) + 2 * sizeof(std::uint8_t) +
-  sizeof(glm::vec3) + 3 * sizeof(std::uint32_t) + 3 * sizeof(glm::uvec3) +
-  3 * sizeof(RingAreas) / 4 + 2 * sizeof(glm::vec3) + 2 * sizeof(std::uint64_t);
-/// Records, areas, three lists of offsets, two lists of positions (one is Embree's).
-constexpr std::uint64_t ScenePerVertex = sizeof(Vertex) + sizeof(double) +
-  3 * sizeof(std::uint64_t) + 2 * sizeof(glm::vec3) + 3 * sizeof(RingAreas) / 4;
+/// Records, area vectors, rings, marks of sheets and shared places.
+constexpr std::uint64_t ScenePerFacet = sizeof(Facet) + sizeof(glm::vec3) +
+  3 * sizeof(std::uint32_t) + 2 * sizeof(std::uint8_t) + sizeof(float);
+/// Records, areas, offsets of rings.
+constexpr std::uint64_t ScenePerVertex = sizeof(Vertex) + sizeof(double) + sizeof(std::uint64_t);
+/// Embree's copies, where facets are traced in parts.
+constexpr std::uint64_t CopiesPerFacet = 2 * sizeof(glm::uvec3);
+constexpr std::uint64_t CopiesPerVertex = 2 * sizeof(glm::vec3);
 
 /// A part of a facet of a refined surface: what it is a part of, for the surface and for the scene.
 /// A point of it that is none of the given ones: the surface's, the record and positions.
@@ -51,13 +67,23 @@ constexpr std::uint64_t RefinedPerFacet = sizeof(FacetOrigin) + sizeof(GivenFace
 constexpr std::uint64_t RefinedPerPoint =
   2 * sizeof(glm::dvec3) + sizeof(Vertex) + 2 * sizeof(glm::vec3) + sizeof(glm::dvec2);
 
-/// A facet that shines, or the shadow of a vertex under parallel light.
+/// A facet that shines.
 constexpr std::uint64_t LampPerFacet = 2 * sizeof(std::uint32_t) + sizeof(double);
-constexpr std::uint64_t LampPerVertex = sizeof(glm::dvec2);
 
-/// Of one side: the map (four numbers), the errors that are sorted, and what a filter makes of it
-/// (six point arrays and as many on the way to them).
-constexpr std::uint64_t MapPerVertex = (4 + 1 + 2 * 6) * sizeof(double);
+/// Of one side: the map (four numbers).
+constexpr std::uint64_t MapPerVertex = 4 * sizeof(double);
+
+/// What a filter makes of the maps: areas by point, eight arrays and five on the way to them; two
+/// more of the back.
+constexpr std::uint64_t OutputPerVertex = (1 + 8 + 5) * sizeof(double);
+constexpr std::uint64_t BackOutputPerVertex = 2 * sizeof(double);
+
+/// While the error of facet size is worked out, before there are outputs: areas, and lists of
+/// numbers in use at a time; rings of its own where facets have parts.
+constexpr std::uint64_t FacetErrorPerFacet = sizeof(double);
+constexpr std::uint64_t FacetErrorPerVertex = (1 + 7) * sizeof(double);
+constexpr std::uint64_t OwnRingsPerFacet = sizeof(glm::uvec3) + 3 * sizeof(std::uint32_t);
+constexpr std::uint64_t OwnRingsPerVertex = 2 * sizeof(std::uint64_t);
 
 bool AnyFacetIsColoured(const Surface& surface)
 {
@@ -67,6 +93,53 @@ bool AnyFacetIsColoured(const Surface& surface)
     ++facet;
   }
   return facet < surface.facets.size();
+}
+
+/// Of how many parts facets are at most that are traced in parts: large ones next to the scene's
+/// origin, of which most scenes have a few. See PartsOfLargeFacets.
+std::uint64_t MostParts(const Surface& surface)
+{
+  constexpr double Lengths = 1.5 * 1.75; // with a wide reserve
+  constexpr std::uint64_t PartsOfOne = 512;
+  const glm::dvec3 centre = FitPlacement(surface.points, surface.facets).centre;
+  std::uint64_t large = 0;
+  for (const glm::uvec3& facet : surface.facets)
+  {
+    const glm::dvec3 &a = surface.points[facet.x], &b = surface.points[facet.y],
+                     &c = surface.points[facet.z];
+    const double longest =
+      std::max({ glm::distance(a, b), glm::distance(b, c), glm::distance(c, a) });
+    large += !(Lengths * longest < glm::distance(a, centre));
+  }
+  return std::min<std::uint64_t>(surface.facets.size() / 8, PartsOfOne * large);
+}
+
+/// Sums of threads and replicates, and layers with what a filter makes of them.
+std::uint64_t SumsPerVertex(const Lighting& lighting, const TraceSettings& settings, bool colour)
+{
+  const std::uint64_t sides = settings.registerBackSide ? 2 : 1;
+  const auto threads = static_cast<std::uint64_t>(ThreadCount(settings.threads));
+  const std::uint64_t lamps = settings.lampsApart ? lighting.luminaires.size() : 0;
+  const std::uint64_t layers = (colour ? LightLayers::Channels : 0) + lamps;
+  return threads * sides * sizeof(VertexSums) +
+    SideSums::BytesPerVertex(settings.replicates, Groups) +
+    (sides - 1) * SideSums::BytesPerVertex(settings.replicates, 1) +
+    layers * ((threads + 1) * sizeof(FixedPoint) + 3 * sizeof(double));
+}
+
+/// The maps, and what is made of them: first the error of facet size, then the outputs.
+std::uint64_t NeedOfMaps(const Surface& surface, std::uint64_t onMap, const TraceSettings& settings)
+{
+  const std::uint64_t sides = settings.registerBackSide ? 2 : 1;
+  const std::uint64_t facets = surface.facets.size();
+  std::uint64_t facetError = 0;
+  if (settings.method == Method::PhotonTracing)
+  {
+    facetError = facets * FacetErrorPerFacet + onMap * FacetErrorPerVertex;
+    facetError += surface.IsRefined() ? facets * OwnRingsPerFacet + onMap * OwnRingsPerVertex : 0;
+  }
+  const std::uint64_t outputs = onMap * (OutputPerVertex + (sides - 1) * BackOutputPerVertex);
+  return onMap * sides * MapPerVertex + std::max(facetError, outputs);
 }
 
 double GiB(std::uint64_t bytes)
@@ -103,26 +176,24 @@ constexpr ControlGroup ControlGroups[] = {
 std::uint64_t MemoryNeed(
   const Surface& surface, const Lighting& lighting, const TraceSettings& settings)
 {
-  const std::uint64_t sides = settings.registerBackSide ? 2 : 1;
-  const auto threads = static_cast<std::uint64_t>(ThreadCount(settings.threads));
-  const std::uint64_t sumsPerVertex = (settings.replicates + threads) * sides * sizeof(VertexSums);
-  const bool colour = SimulatesColour(AnyFacetIsColoured(surface), lighting, settings);
-  const std::uint64_t lamps = settings.lampsApart ? lighting.luminaires.size() : 0;
-  const std::uint64_t layers = (colour ? LightLayers::Channels : 0) + lamps;
-  // Each thread's sums and the whole's, and what a filter makes of them.
-  const std::uint64_t layersPerVertex =
-    layers * ((threads + 1) * sizeof(FixedPoint) + 3 * sizeof(double));
-  const std::uint64_t perVertex = layersPerVertex + InputPerVertex + ScenePerVertex +
-    LampPerVertex + sides * MapPerVertex + sumsPerVertex;
-  const std::uint64_t perFacet =
-    InputPerFacet + ScenePerFacet + EmbreePerFacet + PartsPerFacet + LampPerFacet;
-  const std::uint64_t light = surface.materials.size() * (2 * sizeof(Material) + sizeof(Roulette)) +
-    surface.materialOfFacet.size() * 3 * sizeof(std::uint32_t) +
-    surface.exitance.size() * 2 * sizeof(Colour);
+  const std::uint64_t facets = surface.facets.size();
   const std::uint64_t onMap =
     surface.IsRefined() ? surface.given.points : std::uint64_t{ surface.points.size() };
-  return onMap * perVertex + (surface.points.size() - onMap) * RefinedPerPoint +
-    surface.facets.size() * perFacet + surface.given.origins.size() * RefinedPerFacet + light;
+  const std::uint64_t light = surface.materials.size() * (2 * sizeof(Material) + sizeof(Roulette)) +
+    surface.materialOfFacet.size() * 3 * sizeof(std::uint32_t) +
+    surface.exitance.size() * (2 * sizeof(Colour) + LampPerFacet);
+  const std::uint64_t parts = MostParts(surface);
+  const std::uint64_t copies =
+    parts > 0 ? facets * CopiesPerFacet + surface.points.size() * CopiesPerVertex : 0;
+  const std::uint64_t stays = onMap * (InputPerVertex + ScenePerVertex) +
+    (surface.points.size() - onMap) * RefinedPerPoint + facets * (InputPerFacet + ScenePerFacet) +
+    HeapKeeps(facets) + surface.given.origins.size() * RefinedPerFacet + light + parts * PerPart +
+    copies;
+  const bool colour = SimulatesColour(AnyFacetIsColoured(surface), lighting, settings);
+  const std::uint64_t running = facets * EmbreeKeepsPerFacet +
+    onMap * SumsPerVertex(lighting, settings, colour) + NeedOfMaps(surface, onMap, settings) +
+    GatheringMemory(surface, lighting, settings, colour);
+  return stays + std::max(facets * EmbreeBuildsPerFacet, running);
 }
 
 std::optional<std::uint64_t> AvailableMemory()
@@ -153,10 +224,21 @@ std::uint64_t MostRefinedFacets(std::uint64_t limit)
 {
   constexpr std::uint64_t Most = 0x7fffffff;
   constexpr std::uint64_t PerFacet = 2 *
-    (InputPerFacet + ScenePerFacet + EmbreePerFacet + PartsPerFacet + LampPerFacet +
+    (InputPerFacet + ScenePerFacet + EmbreeBuildsPerFacet + PerPart / 8 + LampPerFacet +
       RefinedPerFacet + RefinedPerPoint);
   const std::uint64_t memory = limit > 0 ? limit : AvailableMemory().value_or(Most * PerFacet);
   return std::min(Most, memory / PerFacet);
+}
+
+std::uint64_t MostAdaptiveFacets(std::uint64_t limit, std::uint64_t need)
+{
+  // The facet before and after it is divided, its edges, the light at their middles, the maps and
+  // arrays at the points: half a point and one and a half edges a facet.
+  constexpr std::uint64_t PerFacet = 1024;
+  constexpr std::uint64_t Most = 0x7fffffff;
+  const std::uint64_t left =
+    limit > 0 ? limit - std::min(limit, need) : AvailableMemory().value_or(Most * PerFacet);
+  return std::clamp<std::uint64_t>(left / PerFacet, 1, Most);
 }
 
 void RequireMemory(std::uint64_t need, std::uint64_t limit)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "PhotonTransport/lights/Lamp.h"
+#include "PhotonTransport/registration/PhotonHit.h"
 #include "PhotonTransport/scene/Surface.h"
 #include "PhotonTransport/statistics/GroupMeans.h"
 #include "PhotonTransport/transport/TraceSettings.h"
@@ -22,12 +23,21 @@ std::uint64_t MemoryNeed(
 /// makes them, by point, and as arrays.
 constexpr std::uint64_t GroupMeansPerVertex = 3 * 2 * sizeof(GroupValues);
 
+/// Bytes more for each hit of a photon map: the hit, in a list that grows, and the arrays that a
+/// filter makes of it.
+constexpr std::uint64_t StoredPhotonNeed = 3 * sizeof(PhotonHit) + 14 * sizeof(double);
+
 /// Bytes that this process can still take without being killed or swapped out, by what Linux and
 /// its control groups say; nothing on other systems.
 std::optional<std::uint64_t> AvailableMemory();
 
 /// So many facets that a refined surface takes half of the memory. @param limit See RequireMemory.
 std::uint64_t MostRefinedFacets(std::uint64_t limit);
+
+/// So many facets of a map that is refined where its light varies fit the memory that is left,
+/// about.
+/// @param limit See RequireMemory. @param need What the run takes already.
+std::uint64_t MostAdaptiveFacets(std::uint64_t limit, std::uint64_t need);
 
 /// Throws InvalidInput that names both numbers if the need is above the limit. @param limit Bytes;
 /// 0 is AvailableMemory(), or no limit where that is not known.

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/transport/PhotonTracer.h"
 
+#include "PhotonTransport/lights/Emitter.h"
+#include "PhotonTransport/memory/HugePages.h"
+#include "PhotonTransport/registration/FacetCells.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/threads/Threads.h"
 #include "PhotonTransport/transport/CompiledWalks.h"
+#include "PhotonTransport/transport/OpeningPhotons.h"
+#include "PhotonTransport/transport/PhotonShares.h"
 
 #include <algorithm>
 #include <atomic>
@@ -12,6 +17,7 @@
 #include <map>
 #include <sstream>
 #include <thread>
+#include <utility>
 
 namespace PhotonTransport
 {
@@ -19,19 +25,11 @@ namespace
 {
 
 /// A roulette for each material, if the walk needs them.
-FacetRoulettes MakeRoulettes(const Scene& scene, Walk walk, bool colour)
+FacetRoulettes RoulettesFor(const Scene& scene, Walk walk, bool colour)
 {
-  FacetRoulettes made;
-  if (walk == Walk::Ends || walk == Walk::Diffuse)
-  {
-    return made;
-  }
-  made.ofFacet = scene.MaterialOfFacet();
-  for (const Material& material : scene.Materials())
-  {
-    made.roulettes.push_back(MakeRoulette(material, colour));
-  }
-  return made;
+  return walk == Walk::Ends || walk == Walk::Diffuse
+    ? FacetRoulettes()
+    : MakeRoulettes(scene.Materials(), scene.MaterialOfFacet(), colour);
 }
 
 const TraceSettings& Validated(const TraceSettings& settings)
@@ -68,32 +66,50 @@ void RequireIlluminanceInRange(const Scene& scene, double flux)
 struct PhotonTracer::Implementation
 {
   Implementation(const Scene& scene, const Lighting& lighting, const Effects& effects,
-    const TraceSettings& settings)
-    : source(lighting, scene, effects.colour)
+    const TraceSettings& settings, Openings toSky)
+    : source(lighting, scene, effects.colour, std::move(toSky))
     , walk(settings.mostGeneralWalk ? Walk::General : WalkFor(effects))
-    , materials(MakeRoulettes(scene, this->walk, effects.colouredFacets))
+    , materials(RoulettesFor(scene, this->walk, effects.colouredFacets))
     , workers(settings.threads)
-    , workerSums(ThreadCount(settings.threads))
+    , workerSums(static_cast<std::size_t>(ThreadCount(settings.threads)))
   {
+    if (this->source.Sources() > this->source.Lamps())
+    {
+      this->openings = std::make_unique<OpeningPhotons>(scene, this->source,
+        OutdoorWays{ effects.simulated, settings.maximumPathLength, effects.colouredFacets,
+          LetsLightThrough(this->walk) });
+      this->source.SetPhotonShares(
+        PhotonShares(scene, this->source, *this->openings, settings.registerBackSide));
+    }
   }
 
   Emitter source;
   Walk walk;
   FacetRoulettes materials;
+  std::unique_ptr<OpeningPhotons> openings; ///< Null where no light comes through any.
   Threads workers;
   /// Each thread has sums of its own: sharing one map by atomic additions costs 16 %.
   PerThread<IlluminationSums> workerSums;
 };
 
-PhotonTracer::PhotonTracer(
-  const Scene& scene, const Lighting& lighting, const TraceSettings& settings)
+PhotonTracer::PhotonTracer(const Scene& scene, const Lighting& lighting,
+  const TraceSettings& settings, const FacetCells* cells, Openings openings)
   : LitScene(scene)
   , Settings(Validated(settings))
+  , Cells(cells)
   , EffectsFound(AnalyseEffects(scene, lighting, settings))
-  , Impl(std::make_unique<Implementation>(scene, lighting, this->EffectsFound, settings))
+  , Impl(std::make_unique<Implementation>(
+      scene, lighting, this->EffectsFound, settings, std::move(openings)))
 {
   RequireIlluminanceInRange(scene, this->Flux());
   this->Impl->workerSums.Fill(this->EmptySums());
+  for (const IlluminationSums& own : this->Impl->workerSums)
+  {
+    UseHugePages(own.front);
+    UseHugePages(own.back);
+    UseHugePages(own.layers.sums);
+    UseHugePages(own.cells.all);
+  }
 }
 
 PhotonTracer::~PhotonTracer() = default;
@@ -103,12 +119,42 @@ double PhotonTracer::Flux() const
   return this->Impl->source.Flux();
 }
 
+const Emitter& PhotonTracer::Source() const
+{
+  return this->Impl->source;
+}
+
+const std::vector<float>& PhotonTracer::StartWeights() const
+{
+  return this->Impl->source.StartWeights();
+}
+
+const OpeningPhotons* PhotonTracer::OpeningsInUse() const
+{
+  return this->Impl->openings.get();
+}
+
+bool PhotonTracer::CountsCaustics() const
+{
+  return (this->EffectsFound.simulated & ~DiffuseScatterings) != 0;
+}
+
 IlluminationSums PhotonTracer::EmptySums() const
 {
   const std::size_t vertices = this->LitScene.NumberOfMapVertices();
   const std::size_t lamps = this->Impl->source.Lamps();
-  return { vertices, this->Settings.registerBackSide, lamps,
+  IlluminationSums sums{ vertices, this->Settings.registerBackSide, this->Impl->source.Sources(),
     { vertices, this->EffectsFound.colour, this->Settings.lampsApart ? lamps : 0 } };
+  if (this->Cells)
+  {
+    const std::size_t channels = this->EffectsFound.colour ? LightLayers::Channels : 1;
+    sums.cells = { this->Cells->Number(), channels, this->CountsCaustics() };
+    if (this->Settings.lampsApart)
+    {
+      sums.layers.lampCells = { lamps, sums.cells };
+    }
+  }
+  return sums;
 }
 
 std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp) const
@@ -118,7 +164,7 @@ std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp)
   for (std::uint64_t photon = 0; photon < Tries; ++photon, sample.Advance())
   {
     const Emission emission = this->Impl->source.Emit(sample);
-    if (emission.lamp != lamp)
+    if (emission.source != lamp)
     {
       continue;
     }
@@ -142,14 +188,22 @@ std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp)
 }
 
 bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
-  IlluminationSums& sums, const Monitor& monitor, LightLayers* layers)
+  IlluminationSums& sums, const Monitor& monitor)
+{
+  return this->Trace(
+    replicate, first, count, [&](IlluminationSums& part) { MoveInto(sums, part); }, monitor);
+}
+
+bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
+  const std::function<void(IlluminationSums& part)>& add, const Monitor& monitor)
 {
   const WalkSettings walk{ this->LitScene, this->Impl->materials, this->Impl->source,
     { this->Settings.seed, replicate, this->Settings.sampling }, this->Settings.maximumPathLength,
-    this->EffectsFound.simulated };
+    this->EffectsFound.simulated, this->Cells, this->Impl->openings.get() };
   const BlockTracer traceBlock = CompiledWalk(this->Impl->walk,
-    this->Settings.mostGeneralWalk ? this->Settings.registration : this->EffectsFound.registration,
-    this->Settings.registerBackSide);
+    { this->Settings.mostGeneralWalk ? this->Settings.registration
+                                     : this->EffectsFound.registration,
+      this->Settings.registerBackSide, this->Cells != nullptr });
   std::atomic<bool> goOn{ true };
   std::atomic<std::uint64_t> done{ 0 };
   const std::thread::id caller = std::this_thread::get_id();
@@ -168,11 +222,15 @@ bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint
       }
     }
   };
-  this->Impl->workers.Run([&] { ParallelFor(first, first + count, work); });
-  for (IlluminationSums& own : this->Impl->workerSums)
-  {
-    MoveInto(sums, layers ? *layers : sums.layers, own);
-  }
+  this->Impl->workers.Run(
+    [&]
+    {
+      ParallelFor(first, first + count, work);
+      for (IlluminationSums& own : this->Impl->workerSums)
+      {
+        add(own);
+      }
+    });
   return goOn;
 }
 

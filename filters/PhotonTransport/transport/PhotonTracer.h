@@ -3,6 +3,7 @@
 
 #include "PhotonTransport/effects/Effects.h"
 #include "PhotonTransport/lights/Lamp.h"
+#include "PhotonTransport/openings/Opening.h"
 #include "PhotonTransport/registration/IlluminationSums.h"
 #include "PhotonTransport/scene/Scene.h"
 #include "PhotonTransport/transport/TraceSettings.h"
@@ -11,9 +12,14 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace PhotonTransport
 {
+
+class Emitter;
+class FacetCells;
+class OpeningPhotons;
 
 /// Called now and then from the thread that called Trace, with the number of blocks that this call
 /// has traced so far. Returns false to stop.
@@ -31,19 +37,31 @@ public:
   /// Throws InvalidInput for settings or a lamp that make no sense, and for a luminous flux whose
   /// illuminances would leave the range of a double.
   /// @param scene Must outlive the tracer.
-  PhotonTracer(const Scene& scene, const Lighting& lighting, const TraceSettings& settings);
+  /// @param cells To count light by, in place of vertices, which then get caustics alone; must
+  /// outlive the tracer.
+  /// @param openings Through which light from afar enters; not where light is counted by cells.
+  PhotonTracer(const Scene& scene, const Lighting& lighting, const TraceSettings& settings,
+    const FacetCells* cells = nullptr, Openings openings = {});
   ~PhotonTracer();
 
   /// Adds `count` blocks of a replicate, from block `first`, to `sums`. Stopped early, it adds the
-  /// photons that were traced (sums.balance.emitted tells how many) and returns false.
-  /// @param layers If given, gets the layers of the light in place of sums.layers.
+  /// photons that were traced (sums.Balance().emitted tells how many) and returns false.
   bool Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
-    IlluminationSums& sums, const Monitor& monitor = {}, LightLayers* layers = nullptr);
+    IlluminationSums& sums, const Monitor& monitor = {});
+  /// The same, but calls add(part) for the parts of the sums, one after the other. It is called
+  /// where loops run on all threads, and must leave the part clear for the next use.
+  bool Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
+    const std::function<void(IlluminationSums& part)>& add, const Monitor& monitor = {});
 
   /// Its layers are channels, where the scene calls for colour, and lamps, where the settings ask
   /// for them apart.
   IlluminationSums EmptySums() const;
   double Flux() const;
+  const Emitter& Source() const;
+  const std::vector<float>& StartWeights() const; ///< See Emitter.
+  const OpeningPhotons* OpeningsInUse() const;    ///< Null where no light comes through any.
+  /// Whether photons may reach a facet by mirrors, gloss or glass alone.
+  bool CountsCaustics() const;
   const Effects& EffectsInUse() const { return this->EffectsFound; }
 
   /// The corners of one facet on whose back light of a lamp first arrives, as an example for
@@ -54,6 +72,7 @@ private:
   struct Implementation;
   const Scene& LitScene;
   TraceSettings Settings;
+  const FacetCells* Cells;
   Effects EffectsFound;
   std::unique_ptr<Implementation> Impl;
 };

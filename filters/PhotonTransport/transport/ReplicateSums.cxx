@@ -10,6 +10,7 @@
 #include <array>
 #include <atomic>
 #include <numeric>
+#include <utility>
 
 namespace PhotonTransport
 {
@@ -34,7 +35,6 @@ void ForEachWithArea(const std::vector<double>& areas, const F& f)
 /// @param sums Weights, where a map has illuminances.
 double MeanWeight(const IlluminationMap& sums)
 {
-  constexpr double WithoutCompensation = 1.0 / 3.0;
   double weights = 0.0;
   double hits = 0.0;
   for (std::size_t v = 0; v < sums.direct.size(); ++v)
@@ -42,77 +42,122 @@ double MeanWeight(const IlluminationMap& sums)
     weights += sums.direct[v] + sums.indirect[v];
     hits += static_cast<double>(sums.photonHits[v]);
   }
-  return weights > 0.0 ? weights / hits : WithoutCompensation;
+  return weights > 0.0 ? weights / hits : FewHits::WithoutCompensation;
+}
+
+/// What replicates have counted for each source, added up.
+template <typename Count>
+std::vector<Count> BySource(
+  const std::vector<IlluminationSums>& replicates, std::vector<Count> IlluminationSums::*counts)
+{
+  std::vector<Count> all((replicates.front().*counts).size());
+  for (const IlluminationSums& replicate : replicates)
+  {
+    for (std::size_t source = 0; source < all.size(); ++source)
+    {
+      all[source] += (replicate.*counts)[source];
+    }
+  }
+  return all;
+}
+
+/// [replicate] Photons.
+std::vector<double> PhotonsOf(const std::vector<IlluminationSums>& replicates)
+{
+  std::vector<double> photons;
+  for (const IlluminationSums& replicate : replicates)
+  {
+    photons.push_back(static_cast<double>(replicate.Balance().emitted));
+  }
+  return photons;
 }
 
 } // namespace
+
+ReplicateSums::ReplicateSums(std::size_t numberOfReplicates, IlluminationSums empty)
+  : front(empty.front.size(), numberOfReplicates, Groups)
+  , back(empty.back.size(), numberOfReplicates, 1)
+  , layers(std::exchange(empty.layers, {}))
+{
+  empty.front = {};
+  empty.back = {};
+  this->replicates.assign(numberOfReplicates, empty);
+}
+
+void ReplicateSums::Add(std::size_t replicate, IlluminationSums& sums)
+{
+  this->front.Add(replicate, sums.front);
+  this->back.Add(replicate, sums.back);
+  MoveInto(this->layers, sums.layers);
+  MoveCounts(this->replicates[replicate], sums);
+}
 
 PhotonBalance ReplicateSums::Balance() const
 {
   PhotonBalance balance;
   for (const IlluminationSums& replicate : this->replicates)
   {
-    balance += replicate.balance;
+    balance += replicate.Balance();
   }
   return balance;
 }
 
-std::vector<Arrivals> ReplicateSums::ArrivalsByLamp() const
+std::vector<PhotonBalance> ReplicateSums::BalancesBySource() const
 {
-  std::vector<Arrivals> arrivals(this->replicates.front().arrivals.size());
-  for (const IlluminationSums& replicate : this->replicates)
-  {
-    for (std::size_t lamp = 0; lamp < arrivals.size(); ++lamp)
-    {
-      arrivals[lamp] += replicate.arrivals[lamp];
-    }
-  }
-  return arrivals;
+  return BySource(this->replicates, &IlluminationSums::balances);
 }
 
-double ReplicateSums::CutByWeightBound() const
+std::vector<Arrivals> ReplicateSums::ArrivalsBySource() const
 {
-  FixedPoint cut = 0;
-  for (const IlluminationSums& replicate : this->replicates)
-  {
-    cut += replicate.cutByWeightBound;
-  }
-  return FromCoarseFixedPoint(cut);
+  return BySource(this->replicates, &IlluminationSums::arrivals);
 }
 
-IlluminationMap ReplicateSums::Map(Side side, double flux, const std::vector<double>& areas) const
+double ReplicateSums::CutByWeightBound(const std::vector<float>& startWeights) const
+{
+  const std::vector<FixedPoint> cut =
+    BySource(this->replicates, &IlluminationSums::cutByWeightBound);
+  double sum = 0.0;
+  for (std::size_t source = 0; source < cut.size(); ++source)
+  {
+    sum += double{ startWeights[source] } * FromCoarseFixedPoint(cut[source]);
+  }
+  return sum;
+}
+
+IlluminationMap ReplicateSums::Map(Side side, double flux, const std::vector<double>& areas,
+  const std::vector<float>& startWeights) const
 {
   const std::size_t vertices = areas.size();
-  IlluminationMap map{ std::vector<double>(vertices, 0.0), std::vector<double>(vertices, 0.0),
+  IlluminationMap map{ std::vector<double>(vertices, 0.0), std::vector<double>(vertices, 0.0), {},
     std::vector<double>(vertices, 0.0), std::vector<std::uint64_t>(vertices, 0) };
   const auto emitted = static_cast<double>(this->Balance().emitted);
   if (!(emitted > 0.0))
   {
     return map;
   }
+  const std::vector<double> photons = PhotonsOf(this->replicates);
   // Weights come first, since what a hit adds on average is known only when all are there.
   ForEachWithArea(areas,
     [&](std::size_t v)
     {
-      VertexSums total;
+      const SideSums& sums = this->*side;
+      const VertexSums total = sums.Total(v);
       ReplicateStatistics statistics;
-      for (const IlluminationSums& replicate : this->replicates)
+      for (std::size_t r = 0; r < photons.size(); ++r)
       {
-        const VertexSums& sums = (replicate.*side)[v];
-        const auto photons = static_cast<double>(replicate.balance.emitted);
-        total += sums;
-        statistics.Add(FromFixedPoint(sums.direct + sums.indirect) / photons, photons);
+        statistics.Add(FromFixedPoint(sums.weights[r][v]) / photons[r], photons[r]);
       }
       map.direct[v] = FromFixedPoint(total.direct);
       map.indirect[v] = FromFixedPoint(total.indirect);
       map.standardError[v] = emitted * statistics.StandardError();
       map.photonHits[v] = total.hits;
     });
-  const FewHits fewHits(MeanWeight(map), this->CanTellSpread());
+  const FewHits fewHits(MeanWeight(map), this->CanTellSpread(), startWeights);
   ForEachWithArea(areas,
     [&](std::size_t v)
     {
-      const double error = fewHits.StandardError(map.standardError[v], map.photonHits[v]);
+      const double error = fewHits.StandardError(
+        map.standardError[v], map.photonHits[v], map.direct[v] + map.indirect[v]);
       map.direct[v] = IlluminanceOf(flux, areas[v], map.direct[v], emitted);
       map.indirect[v] = IlluminanceOf(flux, areas[v], map.indirect[v], emitted);
       map.standardError[v] = IlluminanceOf(flux, areas[v], error, emitted);
@@ -122,29 +167,26 @@ IlluminationMap ReplicateSums::Map(Side side, double flux, const std::vector<dou
 
 bool ReplicateSums::CanTellSpread() const
 {
-  return std::count_if(this->replicates.begin(), this->replicates.end(),
-           [](const IlluminationSums& replicate) { return replicate.balance.emitted > 0; }) >= 2;
+  const std::vector<double> photons = PhotonsOf(this->replicates);
+  return std::count_if(photons.begin(), photons.end(), [](double n) { return n > 0.0; }) >= 2;
 }
 
 GroupMeans ReplicateSums::FrontByGroups(double flux, const std::vector<double>& areas) const
 {
   std::array<double, Groups> photons{};
-  for (std::size_t r = 0; r < this->replicates.size(); ++r)
+  const std::vector<double> ofReplicates = PhotonsOf(this->replicates);
+  for (std::size_t r = 0; r < ofReplicates.size(); ++r)
   {
-    photons[r % Groups] += static_cast<double>(this->replicates[r].balance.emitted);
+    photons[r % Groups] += ofReplicates[r];
   }
   if (*std::min_element(photons.begin(), photons.end()) == 0.0)
   {
     return {};
   }
   const double all = std::accumulate(photons.begin(), photons.end(), 0.0);
-  const auto meansOf = [&](std::size_t v, FixedPoint VertexSums::*part)
+  using Sums = std::array<FixedPoint, Groups>;
+  const auto meansOf = [&](std::size_t v, const Sums& sums)
   {
-    std::array<FixedPoint, Groups> sums{};
-    for (std::size_t r = 0; r < this->replicates.size(); ++r)
-    {
-      sums[r % Groups] += this->replicates[r].front[v].*part;
-    }
     const FixedPoint total = std::accumulate(sums.begin(), sums.end(), FixedPoint{ 0 });
     GroupValues means{};
     double unweighted = 0.0;
@@ -166,8 +208,18 @@ GroupMeans ReplicateSums::FrontByGroups(double flux, const std::vector<double>& 
   ForEachWithArea(areas,
     [&](std::size_t v)
     {
-      groups.direct[v] = meansOf(v, &VertexSums::direct);
-      groups.indirect[v] = meansOf(v, &VertexSums::indirect);
+      Sums direct, indirect{};
+      for (std::size_t r = 0; r < this->replicates.size(); ++r)
+      {
+        indirect[r % Groups] += this->front.weights[r][v];
+      }
+      for (std::size_t g = 0; g < Groups; ++g)
+      {
+        direct[g] = this->front.direct[g][v];
+        indirect[g] -= direct[g];
+      }
+      groups.direct[v] = meansOf(v, direct);
+      groups.indirect[v] = meansOf(v, indirect);
     });
   return groups;
 }
@@ -176,38 +228,47 @@ std::vector<std::array<double, 3>> ReplicateSums::FrontByColour(
   double flux, const std::vector<double>& areas) const
 {
   const auto emitted = static_cast<double>(this->Balance().emitted);
-  std::vector<std::array<double, 3>> front(this->layers.HasColour() ? areas.size() : 0);
-  for (std::size_t v = 0; v < front.size(); ++v)
+  std::vector<std::array<double, 3>> map(this->layers.HasColour() ? areas.size() : 0);
+  for (std::size_t v = 0; v < map.size(); ++v)
   {
     for (std::size_t c = 0; c < 3; ++c)
     {
-      front[v][c] = IlluminanceOf(flux, areas[v], this->layers.Weights(v, c), emitted) /
+      map[v][c] = IlluminanceOf(flux, areas[v], this->layers.Weights(v, c), emitted) /
         double{ LuminousWeights[static_cast<int>(c)] };
     }
   }
-  return front;
+  return map;
 }
 
 std::vector<double> ReplicateSums::FrontOfLamp(
   std::size_t lamp, double flux, const std::vector<double>& areas) const
 {
   const auto emitted = static_cast<double>(this->Balance().emitted);
-  std::vector<double> front(areas.size(), 0.0);
-  for (std::size_t v = 0; v < front.size() && this->layers.HasLamps(); ++v)
+  std::vector<double> map(areas.size(), 0.0);
+  for (std::size_t v = 0; v < map.size() && this->layers.HasLamps(); ++v)
   {
-    front[v] = IlluminanceOf(
+    map[v] = IlluminanceOf(
       flux, areas[v], this->layers.Weights(v, this->layers.firstLamp + lamp), emitted);
   }
-  return front;
+  return map;
 }
 
 bool ReplicateSums::AnyLight(Side side) const
 {
-  return std::any_of(this->replicates.begin(), this->replicates.end(),
-    [&](const IlluminationSums& replicate)
+  const SideSums& sums = this->*side;
+  const bool cells = !this->replicates.front().cells.IsEmpty();
+  if (cells) // they count on both sides, whichever are registered
+  {
+    return sums.Vertices() > 0 &&
+      std::any_of(this->replicates.begin(), this->replicates.end(),
+        [&](const IlluminationSums& replicate)
+        { return replicate.cells.AnyOn(side == &ReplicateSums::front); });
+  }
+  return std::any_of(sums.weights.begin(), sums.weights.end(),
+    [](const std::vector<FixedPoint>& weights)
     {
-      return std::any_of((replicate.*side).begin(), (replicate.*side).end(),
-        [](const VertexSums& sums) { return sums.direct + sums.indirect > 0; });
+      return std::any_of(
+        weights.begin(), weights.end(), [](FixedPoint weight) { return weight > 0; });
     });
 }
 
@@ -215,24 +276,28 @@ bool ReplicateSums::AreFull() const
 {
   constexpr FixedPoint Quarter = FixedPoint{ 1 } << 61;
   std::atomic<bool> full = false;
-  const auto look = [&](Side side)
+  for (const SideSums* sums : { &this->front, &this->back })
   {
-    ForEach((this->replicates.front().*side).size(),
+    ForEach(sums->Vertices(),
       [&](std::size_t v)
       {
         FixedPoint sum = 0;
-        for (const IlluminationSums& replicate : this->replicates)
+        for (const std::vector<FixedPoint>& weights : sums->weights)
         {
-          sum += (replicate.*side)[v].direct + (replicate.*side)[v].indirect;
+          sum += weights[v];
         }
         if (sum >= Quarter)
         {
           full = true;
         }
       });
-  };
-  look(&IlluminationSums::front);
-  look(&IlluminationSums::back);
+  }
+  for (const IlluminationSums& replicate : this->replicates)
+  {
+    full = full ||
+      std::any_of(replicate.cells.all.begin(), replicate.cells.all.end(),
+        [](std::uint32_t count) { return count >= CellCounts::Full; });
+  }
   return full;
 }
 

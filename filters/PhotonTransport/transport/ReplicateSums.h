@@ -4,6 +4,7 @@
 #include "PhotonTransport/registration/IlluminationMap.h"
 #include "PhotonTransport/registration/IlluminationSums.h"
 #include "PhotonTransport/statistics/GroupMeans.h"
+#include "PhotonTransport/transport/SideSums.h"
 
 #include <array>
 #include <cstddef>
@@ -15,21 +16,33 @@ namespace PhotonTransport
 /// What the replicates of a run have summed up, and the maps that follow from it.
 struct ReplicateSums
 {
-  using Side = std::vector<VertexSums> IlluminationSums::*;
+  using Side = SideSums ReplicateSums::*;
 
-  std::vector<IlluminationSums> replicates; ///< Without layers.
+  ReplicateSums() = default;
+  /// @param empty Without light, of the sides, cells and layers that a replicate has.
+  ReplicateSums(std::size_t numberOfReplicates, IlluminationSums empty);
+
+  /// Adds what a replicate has got, and clears it.
+  void Add(std::size_t replicate, IlluminationSums& sums);
+
+  SideSums front;
+  SideSums back;                            ///< Without vertices unless the back is registered.
+  std::vector<IlluminationSums> replicates; ///< Without vertices and layers.
   /// Of all replicates together, which takes less memory and tells no standard errors.
   LightLayers layers;
 
   PhotonBalance Balance() const;
-  /// [lamp] Summed over the replicates.
-  std::vector<Arrivals> ArrivalsByLamp() const;
+  /// [source] Summed over the replicates.
+  std::vector<PhotonBalance> BalancesBySource() const;
+  std::vector<Arrivals> ArrivalsBySource() const;
   /// Weight that the bound cut off. Times flux / photons it is in lm.
-  double CutByWeightBound() const;
+  double CutByWeightBound(const std::vector<float>& startWeights) const;
 
   /// E_i = (flux / N) V_i / A_i and its standard error, which is that of the replicates or, where a
   /// vertex has few hits, that of FewHits. @param flux lm. @param areas [vertex] m^2.
-  IlluminationMap Map(Side side, double flux, const std::vector<double>& areas) const;
+  /// @param startWeights [source] See Emitter.
+  IlluminationMap Map(Side side, double flux, const std::vector<double>& areas,
+    const std::vector<float>& startWeights) const;
 
   /// See IlluminationRun::FrontByGroups.
   GroupMeans FrontByGroups(double flux, const std::vector<double>& areas) const;

@@ -27,6 +27,11 @@ void Validate(const TraceSettings& settings)
     "the weight bound is " + std::to_string(settings.weightBound) +
       "; it must be between 1 and 1048576");
   Require(settings.maximumPathLength >= 1, "the maximum path length is 0; it must be 1 or more");
+  Require(settings.gatherRays == 0 ||
+      (settings.gatherRays >= LeastGatherRays && settings.gatherRays <= MostGatherRays),
+    "the number of gather rays is " + std::to_string(settings.gatherRays) +
+      "; it must be 0 or between " + std::to_string(LeastGatherRays) + " and " +
+      std::to_string(MostGatherRays));
   Require(settings.threads >= 0 && settings.threads <= MostThreads,
     "the number of threads is " + std::to_string(settings.threads) +
       "; it must be between 0 (all) and " + std::to_string(MostThreads));

@@ -12,9 +12,24 @@ namespace PhotonTransport
 /// More threads are refused: oneTBB ends the process if the system can't give it a thread.
 constexpr int MostThreads = 1024;
 
+/// How the map is made.
+enum class Method : int
+{
+  PhotonTracing = 0, ///< Photons register at the vertices.
+  FinalGathering =
+    1 ///< A second pass gathers at the vertices what photons have lit; FinalGathering.
+};
+
+constexpr std::uint32_t LeastGatherRays = 16;
+constexpr std::uint32_t MostGatherRays = 1u << 14;
+
 /// How to trace, as opposed to what and for how long.
 struct TraceSettings : EffectSettings
 {
+  Method method = Method::PhotonTracing;
+  /// Rays for each vertex in Method::FinalGathering, [LeastGatherRays,
+  /// MostGatherRays], about; 0: as many as suit the photons, see RaysFor.
+  std::uint32_t gatherRays = 0;
   std::uint32_t replicates = 8; ///< Independent sequences, for the standard error; >= 2.
   std::uint32_t seed = 1;
   Sampling sampling = Sampling::Sobol;

@@ -2,17 +2,22 @@
 #pragma once
 
 #include "PhotonTransport/lights/Emitter.h"
-#include "PhotonTransport/materials/Scattering.h"
+#include "PhotonTransport/materials/FacetRoulettes.h"
 #include "PhotonTransport/registration/Arrivals.h"
+#include "PhotonTransport/registration/FacetCells.h"
 #include "PhotonTransport/registration/PhotonBalance.h"
+#include "PhotonTransport/registration/PhotonHit.h"
 #include "PhotonTransport/registration/Registrar.h"
 #include "PhotonTransport/sampling/PhotonSample.h"
 #include "PhotonTransport/scene/Scene.h"
+#include "PhotonTransport/transport/Flight.h"
+#include "PhotonTransport/transport/OpeningPhotons.h"
 
 #include <glm/geometric.hpp>
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace PhotonTransport
@@ -35,31 +40,18 @@ constexpr ScatteringSet CompiledIn(Walk walk)
   return Sets[static_cast<unsigned>(walk)];
 }
 
-/// Materials in the form that the walk needs, by facet. Empty for Walk::Ends and Walk::Diffuse,
-/// which need none.
-struct FacetRoulettes
-{
-  std::vector<Roulette> roulettes;
-  std::vector<std::uint32_t> ofFacet;
-};
-
 /// What photons walk through, and how far.
 struct WalkSettings
 {
   const Scene& scene;
-  const FacetRoulettes& materials;
+  const FacetRoulettes& materials; ///< Empty for Walk::Ends and Walk::Diffuse.
   const Emitter& source;
   SequenceKey key;
   std::uint32_t maximumPathLength; ///< Segments, >= 1.
   ScatteringSet switchedOn;        ///< Effects that are simulated.
-};
-
-/// A photon of unit energy on its way. The rays of all photons are kept in an array of their own.
-struct Flight
-{
-  ScatteringNumbers numbers;
-  std::uint32_t order; ///< Scatterings so far.
-  PhotonOrigin origin;
+  const FacetCells* cells;         ///< To count light by; null where vertices take all of it.
+  /// For light that comes through openings; null where there is none.
+  const OpeningPhotons* openings = nullptr;
 };
 
 /// What a photon does at the end of a segment, by its material.
@@ -127,12 +119,30 @@ template <class OnHit>
   }
 }
 
+/// Whether what is called at hits has a member Keep(PhotonHit) const.
+template <class OnHit, class = void>
+constexpr bool KeepsHits = false;
+template <class OnHit>
+constexpr bool KeepsHits<OnHit, std::void_t<decltype(&OnHit::Keep)>> = true;
+
+/// Hands the end of a segment over to who keeps them.
+template <class OnHit>
+void Keep(const Flight& photon, const Ray& ray, const Hit& hit, bool front, const OnHit& onHit)
+{
+  if constexpr (KeepsHits<OnHit>)
+  {
+    onHit.Keep({ photon.numbers.photonIndex, hit.facet, hit.barycentric, ray.direction,
+      photon.order, photon.origin.source, photon.origin.channel, front });
+  }
+}
+
 /// What happens to a photon at the end of a segment.
 /// @param ray The segment; the next one if the photon goes on.
 /// @param hit Its end; moved to another facet where that one lies in the same place and counts.
 /// @param onHit Called as onHit(ray, hit, front, photon.origin, corners); without `corners` all
-/// corners of the facet count.
-/// @param arrivals By lamp.
+/// corners of the facet count. After that onHit.Arrived(hit, front, photon.origin) is called
+/// once, unless the photon's path ends here for its length. See Keep, too.
+/// @param arrivals By source.
 /// @return Whether it goes on.
 template <Walk WalkKind, class OnHit>
 bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, const OnHit& onHit,
@@ -143,10 +153,11 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
     (LetsLightThrough(WalkKind) ? !photon.origin.arrived : photon.order == 0);
   if (!hit)
   {
+    Keep(photon, ray, hit, false, onHit);
     ++balance.escaped;
     if (underWay)
     {
-      ++arrivals[photon.origin.lamp].escaped;
+      ++arrivals[photon.origin.source].escaped;
     }
     return false;
   }
@@ -164,9 +175,14 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
   {
     onHit(ray, hit, front, photon.origin);
   }
+  Keep(photon, ray, hit, front, onHit);
+  if (photon.order + 1 < settings.maximumPathLength)
+  {
+    onHit.Arrived(hit, front, photon.origin);
+  }
   if (underWay)
   {
-    underWay = !CountArrival<WalkKind>(hit, front, settings, arrivals[photon.origin.lamp]);
+    underWay = !CountArrival<WalkKind>(hit, front, settings, arrivals[photon.origin.source]);
     if constexpr (LetsLightThrough(WalkKind))
     {
       photon.origin.arrived = !underWay;
@@ -177,7 +193,7 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
   {
     if (LetsLightThrough(WalkKind) && underWay)
     {
-      ++(arrivals[photon.origin.lamp].*end);
+      ++(arrivals[photon.origin.source].*end);
     }
   };
 
@@ -209,6 +225,7 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
       return false;
     }
     photon.origin.direct = photon.origin.direct && departure.undeflected;
+    photon.origin.undiffused = photon.origin.undiffused && !IsDiffuse(departure.how);
     // The path stays on the flat facets, which conserves photons. Only registration is compensated.
     ray.origin = settings.scene.SafeOrigin(hit, front == departure.sameSide);
     ray.direction = departure.direction;
@@ -220,12 +237,12 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
 ///
 /// They are followed many at a time, for two reasons: Embree takes rays in packets, and the memory
 /// that one photon waits for arrives while others are traced. Sums do not depend on the order.
-/// @param arrivals By lamp.
+/// @param balances, arrivals By source.
 template <Walk WalkKind, class OnHit>
 void WalkPhotons(const WalkSettings& settings, std::uint64_t first, std::uint64_t last,
-  const OnHit& onHit, PhotonBalance& balance, Arrivals* arrivals)
+  const OnHit& onHit, PhotonBalance* balances, Arrivals* arrivals)
 {
-  constexpr std::size_t Together = 64;
+  constexpr std::size_t Together = PhotonsTogether;
   std::array<Flight, Together> photons;
   std::array<Ray, Together> rays;
   std::array<Hit, Together> hits;
@@ -234,15 +251,26 @@ void WalkPhotons(const WalkSettings& settings, std::uint64_t first, std::uint64_
   std::uint64_t next = first;
   do
   {
+    const std::size_t onWay = flying;
     for (; flying < Together && next < last; ++next, sample.Advance())
     {
       const Emission emission = settings.source.Emit(sample);
       rays[flying] = emission.ray;
       photons[flying++] = { sample.Scatterings(), 0,
-        { emission.lamp, static_cast<std::uint16_t>(emission.channel), true } };
-      ++balance.emitted;
+        { emission.source, static_cast<std::uint16_t>(emission.channel) } };
+      ++balances[emission.source].emitted;
+    }
+    if (settings.openings)
+    {
+      flying =
+        settings.openings->Start(photons.data(), rays.data(), onWay, flying, balances, arrivals);
     }
     settings.scene.Intersect(rays.data(), hits.data(), flying);
+    if (settings.openings)
+    {
+      flying = settings.openings->HandOver(
+        photons.data(), rays.data(), hits.data(), flying, balances, arrivals);
+    }
     for (std::size_t i = 0; i < flying; ++i)
     {
       settings.scene.PrefetchFacet(hits[i]);
@@ -254,7 +282,8 @@ void WalkPhotons(const WalkSettings& settings, std::uint64_t first, std::uint64_
     std::size_t stillFlying = 0;
     for (std::size_t i = 0; i < flying; ++i)
     {
-      if (Arrive<WalkKind>(photons[i], rays[i], hits[i], settings, onHit, balance, arrivals))
+      if (Arrive<WalkKind>(photons[i], rays[i], hits[i], settings, onHit,
+            balances[photons[i].origin.source], arrivals))
       {
         photons[stillFlying] = photons[i];
         rays[stillFlying++] = rays[i];

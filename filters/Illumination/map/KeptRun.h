@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef KeptRun_h
+#define KeptRun_h
+
+#include "Illumination/map/BackgroundRun.h"
+
+#include "PhotonTransport/scene/Scene.h"
+#include "PhotonTransport/scene/Surface.h"
+#include "PhotonTransport/transport/IlluminationRun.h"
+#include "PhotonTransport/transport/SkyOpenings.h"
+
+#include "vtkType.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace Illumination
+{
+
+/// When data and filter last changed; no two states of any objects have the same time.
+using Origins = std::vector<vtkMTimeType>;
+
+/// A run that the next execution of a filter may go on with, and what its map depends on but for
+/// the number of photons.
+struct KeptRun
+{
+  KeptRun(const PhotonTransport::Surface& surface, const PhotonTransport::Lighting& lighting,
+    const PhotonTransport::TraceSettings& settings, Origins madeFrom, std::uint64_t memoryNeed)
+    : Scene(surface)
+    , Openings(OpeningsToSkies(surface, this->Scene, lighting, settings))
+    , Run(this->Scene, lighting, settings, this->Openings.openings)
+    , MadeFrom(std::move(madeFrom))
+    , MemoryNeed(memoryNeed)
+    , Background(this->Run)
+  {
+  }
+
+  PhotonTransport::Scene Scene;
+  PhotonTransport::FoundOpenings Openings;
+  PhotonTransport::IlluminationRun Run;
+  PhotonTransport::Surface Curved; ///< What is traced where it is not the surface of the blocks.
+  Origins MadeFrom;
+  std::uint64_t MemoryNeed; ///< Bytes, without group means.
+  double MemoryLimit = 0.0; ///< The property as it was, GiB.
+  BackgroundRun Background; ///< Last, since it uses the others.
+
+  /// Whether another limit may allow more parts of curved patches.
+  bool IsCoarseForAnother(double memoryLimit) const
+  {
+    return this->Scene.Notes().isCoarse && memoryLimit != this->MemoryLimit;
+  }
+};
+
+} // namespace Illumination
+
+#endif

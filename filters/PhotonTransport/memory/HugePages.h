@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace PhotonTransport
+{
+
+/// Moves memory that is used at random onto huge pages, as far as it fills them: the processor
+/// knows the places of a few thousand pages at a time, and looks up all others in memory. For
+/// arrays that live long, since moving costs a copy. Does nothing where the system can't. Linux 6.1
+/// or newer moves at once, older ones in time.
+void UseHugePages(const void* memory, std::size_t bytes);
+
+template <typename T>
+void UseHugePages(const std::vector<T>& array)
+{
+  UseHugePages(array.data(), array.size() * sizeof(T));
+}
+
+} // namespace PhotonTransport

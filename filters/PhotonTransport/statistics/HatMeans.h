@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PhotonTransport/geometry/FacetRings.h"
+#include "PhotonTransport/scene/Scene.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace PhotonTransport
+{
+
+/// What registration makes of light: the mean around each vertex, weighted by the hat function that
+/// is 1 at the vertex and falls to 0 over the facets around it. For light that is linear in each
+/// facet this is the mass matrix of linear finite elements, each row divided by its sum.
+class HatMeans
+{
+public:
+  /// @param scene Must outlive this.
+  explicit HatMeans(const Scene& scene);
+
+  std::size_t Vertices() const { return this->RingAreas.size(); }
+
+  /// The hat means of values at the vertices. A vertex without a facet keeps its value.
+  std::vector<double> Of(const std::vector<double>& values) const;
+
+  /// Calls f(neighbour, weight) for each facet's two other vertices; each neighbour comes once a
+  /// facet. The weights are the neighbours' parts in the vertex's hat mean; their sum is 1/2.
+  template <typename Function>
+  void ForEachNeighbour(std::uint32_t vertex, const Function& f) const
+  {
+    if (!(this->RingAreas[vertex] > 0.0))
+    {
+      return;
+    }
+    for (const std::uint32_t facet : this->Rings().Of(vertex))
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const std::uint32_t neighbour = this->VerticesOf(facet)[corner];
+        if (neighbour != vertex)
+        {
+          f(neighbour, 0.25 * this->FacetAreas[facet] / this->RingAreas[vertex]);
+        }
+      }
+    }
+  }
+
+private:
+  // The scene's own where it has what is needed, which saves 56 bytes a vertex.
+  const FacetRings& Rings() const { return this->OfScene ? *this->OfScene : this->OwnRings; }
+  const glm::uvec3& VerticesOf(std::uint32_t facet) const
+  {
+    return this->OfScene ? this->LitScene.GivenVertices(facet) : this->Facets[facet];
+  }
+  void AddWholeFacets();
+  void AddFacets();
+
+  const Scene& LitScene;
+  const FacetRings* OfScene;      ///< Null where facets have parts or copies.
+  std::vector<glm::uvec3> Facets; ///< As given, without parts; empty where OfScene serves.
+  std::vector<double> FacetAreas; ///< In the scene's unit.
+  std::vector<double> RingAreas;  ///< [vertex] Of the facets around.
+  FacetRings OwnRings;
+};
+
+} // namespace PhotonTransport
