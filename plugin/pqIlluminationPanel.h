@@ -10,6 +10,13 @@
 // names the property by that (see pqPanelLabel). ReplacedBy hides a property while the input has a
 // connection; with show="1" it stays, disabled, and the label names what replaces it. Without this
 // part of the plugin the hints have no effect.
+//
+//   <SizeHandles property="LampType" values="4" size="LampSize" axes="tangent bitangent"
+//   share="0.5"/>
+//
+// SizeHandles, of a group with panel_widget="LampHandle", gives a lamp of these kinds a handle for
+// each of its lengths: so far from its centre along an axis as this share of the length. Axes are
+// those of the core's Frame around the direction: tangent, bitangent, normal.
 #ifndef pqIlluminationPanel_h
 #define pqIlluminationPanel_h
 

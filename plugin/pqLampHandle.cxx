@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqLampHandle.h"
 
+#include "pqLampSizeHandles.h"
 #include "pqPanelLabel.h"
 
 #include "vtkCollection.h"
@@ -74,6 +75,29 @@ pqLampHandle::pqLampHandle(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget
   if (vtkPVXMLElement* hints = group->GetHints())
   {
     new pqPanelLabel(hints, this);
+    this->SizeHandles = new pqLampSizeHandles(hints, group, proxy, this);
+    this->connect(
+      this->SizeHandles, &pqLampSizeHandles::changeAvailable, this, &pqLampHandle::changeAvailable);
+    this->connect(
+      this->SizeHandles, &pqLampSizeHandles::changeFinished, this, &pqLampHandle::changeFinished);
+  }
+}
+
+void pqLampHandle::setView(pqView* view)
+{
+  this->pqDisplaySizedImplicitPlanePropertyWidget::setView(view);
+  if (this->SizeHandles)
+  {
+    this->SizeHandles->setView(this->view());
+  }
+}
+
+void pqLampHandle::updateWidgetVisibility()
+{
+  this->pqDisplaySizedImplicitPlanePropertyWidget::updateWidgetVisibility();
+  if (this->SizeHandles)
+  {
+    this->SizeHandles->setVisible(this->isSelected() && this->isWidgetVisible());
   }
 }
 

@@ -283,6 +283,7 @@ TEST(IlluminanceStatistics, ErrorsOfAMapByGroupsAndByStandardErrors)
   map->SetPhotons(50000);
   map->SetSampling(vtkIlluminationMap::RANDOM);
   map->SetRegistration(vtkIlluminationMap::FLAT); // which counts photons
+  map->SetGroupMeans(false);
   vtkNew<vtkIlluminanceStatistics> statistics;
   statistics->SetInputConnection(map->GetOutputPort());
   const double largest = Value(statistics, "FluxError");

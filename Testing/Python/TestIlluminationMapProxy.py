@@ -35,7 +35,7 @@ NOT_DEFAULT = {
     "LampContributions": (1, True),
     "CurvedSurface": (1, True),
     "RegisterBackSide": (1, True),
-    "GroupMeans": (1, True),
+    "GroupMeans": (0, False),
     "MaximumPhotons": 1000,
     "PhotonPaths": 100,
     "MetresPerUnit": 0.001,

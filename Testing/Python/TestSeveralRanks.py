@@ -147,11 +147,17 @@ def pipeline(name):
     result, array = IlluminationMap(Input=surface, Photons=20000, **more), "Illuminance"  # noqa: F821
     if name == "smoothed":
         result, array = IlluminationMapSmoothing(Input=result), "IlluminanceSmoothed"  # noqa: F821
-    print("PIPELINE", name, flush=True)
+    tell(f"PIPELINE {name}")
     for _ in range(2):  # an execution after the first goes the same way
         result.UpdatePipeline()
     found = result.PointData[array]
-    print("MAP", found.GetRange() if found else None, flush=True)
+    tell(f"MAP {found.GetRange() if found else None}")
+
+
+def tell(line):
+    """Writes to the stream of VTK's messages, in one piece: mpiexec forwards each stream for itself, so that lines on
+    another one would come before or after messages by chance."""
+    os.write(2, f"{line}\n".encode())
 
 
 def pipelines():

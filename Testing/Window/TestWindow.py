@@ -80,11 +80,11 @@ def test_labels_have_units_and_python_names_do_not():
     lit.LampType = "Disk"
     window.wait()
     assert "Lamp Radius (data's length)" in window.labels(), window.labels()
-    assert window.offers("Reflectance") and window.offers("GroupMeans")
+    assert window.offers("Reflectance") and not window.offers("AdaptiveRefinement")
     lit.ReflectanceArray, lit.Method = "Grey", "Final Gathering"
     window.wait()
     assert "Reflectance (off: Reflectance Array is chosen)" in window.labels(), window.labels()
-    assert not window.offers("Reflectance") and not window.offers("GroupMeans")
+    assert not window.offers("Reflectance") and window.offers("AdaptiveRefinement")
     lit.LampType = "Parallel"
     window.wait()
     assert "Parallel Illuminance (lx)" in window.labels() and "Luminous Flux (lm)" not in window.labels()
@@ -195,32 +195,65 @@ def test_state_and_trace_bring_the_map_back():
     assert values(again) == expected, (values(again), expected, script)
 
 
-def test_the_handle_moves_the_lamp():
-    begin()
-    lit = new_map(room())
+def pixel(point):
+    """Where the view shows a point."""
+    renderer = simple.GetActiveView().GetRenderer()
+    renderer.SetWorldPoint(*point, 1.0)
+    renderer.WorldToDisplay()
+    return [int(v) for v in renderer.GetDisplayPoint()[:2]]
+
+
+def drag(start, end):
+    """With the mouse in the view, from a point in space to what the view shows of another."""
     view = simple.GetActiveView()
     simple.Render(view)
     window.wait()
-    renderer = view.GetRenderer()
-    renderer.SetWorldPoint(*lit.LampPosition, 1.0)
-    renderer.WorldToDisplay()
-    x, y, _ = (int(v) for v in renderer.GetDisplayPoint())
+    (x, y), (to_x, to_y) = pixel(start), pixel(end)
     interactor = view.GetInteractor()
-    before = list(lit.LampPosition)
 
-    def mouse(event, dx, dy):
-        interactor.SetEventInformation(x + dx, y + dy, 0, 0, "", 0, "")
+    def mouse(event, step=0):
+        interactor.SetEventInformation(x + (to_x - x) * step // 5, y + (to_y - y) * step // 5, 0, 0, "", 0, "")
         interactor.InvokeEvent(event)
 
-    mouse("MouseMoveEvent", 0, 0)
-    mouse("LeftButtonPressEvent", 0, 0)
+    mouse("MouseMoveEvent")
+    mouse("LeftButtonPressEvent")
     for step in range(1, 6):
-        mouse("MouseMoveEvent", 8 * step, 0)
-    mouse("LeftButtonReleaseEvent", 40, 0)
+        mouse("MouseMoveEvent", step)
+    mouse("LeftButtonReleaseEvent", 5)
     window.wait()
+
+
+def test_the_handle_moves_the_lamp():
+    begin()
+    lit = new_map(room())
+    before = list(lit.LampPosition)
+    drag(before, [before[0] + 0.5, before[1], before[2]])
     window.apply()
     after = list(lit.LampPosition)
     assert any(abs(a - b) > 0.1 for a, b in zip(before, after)), (before, after)
+
+
+def test_handles_change_the_size_of_the_lamp():
+    begin()
+    lit = new_map(room())
+    lit.LampType, lit.LampSize = "Rectangle", [1.0, 0.8]
+    window.wait()
+    x, y, z = lit.LampPosition
+    place = list(lit.LampPosition)
+    for start, end, expected in (((x + 0.5, y, z), (x + 0.75, y, z), (1.5, 0.8)),
+                                 ((x, y - 0.4, z), (x, y - 0.6, z), (1.5, 1.2))):
+        drag(start, end)
+        window.apply()
+        # A pixel is 0.02 of these lengths, and the mouse may take a handle beside its middle.
+        off = max([abs(a - b) for a, b in zip(lit.LampSize, expected)])
+        assert off < 0.1, (lit.LampSize, expected)
+    assert list(lit.LampPosition) == place, "the handles of the size leave the place as it is"
+    lit.LampType = "Disk"
+    window.wait()
+    drag((x + lit.LampSize[0], y, z), (x + 0.5, y, z))
+    assert window.offers("Accept")
+    window.apply()
+    assert abs(lit.LampSize[0] - 0.5) < 0.1, lit.LampSize
 
 
 def emitted(lit):

@@ -35,8 +35,7 @@ def smoothed_map(run):
 
 def points_of_curves(scene, truth, method, photons):
     """Two rows, of the map as it is and of the smoothed one, from a run of its own."""
-    groups = {"GroupMeans": 1} if method == "Photon Tracing" else {}
-    with Run(scene, Method=method, **groups) as run:
+    with Run(scene, Method=method) as run:
         start = time.perf_counter()
         lux = run.to(photons)
         seconds = time.perf_counter() - start

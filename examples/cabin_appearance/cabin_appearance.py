@@ -32,10 +32,8 @@ EXPOSURE = {"AdaptationLuminance": 22.0}  # cd/m^2, the same for all pictures
 
 def lit(source, registration):
     """The filters that light the cabin; the last registration's map is smoothed."""
-    smoothed = registration == "Vertex Normalised"
-    found = simple.IlluminationMap(
-        Input=source, Registration=registration, Photons=PHOTONS, GroupMeans=int(smoothed), **CABIN)  # fmt: skip
-    return simple.IlluminationMapSmoothing(Input=found) if smoothed else found
+    found = simple.IlluminationMap(Input=source, Registration=registration, Photons=PHOTONS, **CABIN)
+    return simple.IlluminationMapSmoothing(Input=found) if registration == "Vertex Normalised" else found
 
 
 def picture(look, camera, pixels):

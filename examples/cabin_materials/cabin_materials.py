@@ -89,7 +89,7 @@ def main(output):
     """Lights the cabin, tabulates each lamp's part, dims it, draws it."""
     load_plugin()
     scene = make_scene()
-    found = light(scene, EVENING, Photons=PHOTONS, GroupMeans=1)
+    found = light(scene, EVENING, Photons=PHOTONS)
     escaped = found.facts["PhotonsEscaped"] / found.facts["PhotonsEmitted"]
     print(f"{found.facts['Seconds']:.1f} s; {100.0 * escaped:.2f} % of the photons left by the windows")
     print("\n".join(["Effects:", *texts(found.surface, "Effects")]))

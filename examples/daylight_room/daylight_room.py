@@ -71,7 +71,7 @@ def main(output):
     gathered = to_target(surface)
     print("\n" + gathered.facts["Openings"])
     seconds = gathered.facts["Seconds"]
-    traced = light(surface, TimeLimit=seconds, Photons=MOST_PHOTONS, GroupMeans=1)
+    traced = light(surface, TimeLimit=seconds, Photons=MOST_PHOTONS)
     start = time.perf_counter()
     smoothed = smooth(traced.surface)
     after = traced.facts["Seconds"] + time.perf_counter() - start

@@ -81,7 +81,7 @@ def main(output):
     load_plugin()
     cabin = make_cabin()
     reference = Reference(illuminate(cabin, Photons=REFERENCE_PHOTONS, Seed=REFERENCE_SEED, **CABIN))
-    raw = illuminate(cabin, Photons=PHOTONS, GroupMeans=1, **CABIN)
+    raw = illuminate(cabin, Photons=PHOTONS, **CABIN)
     smoothed, seconds = timed(smooth, raw.surface)
     filtered = vtk_to_numpy(smoothed.GetPointData().GetArray("IlluminanceSmoothed"))
     told = vtk_to_numpy(smoothed.GetPointData().GetArray("StandardErrorSmoothed"))

@@ -27,10 +27,10 @@ def on_ranks(ranks, photons=100000):
     command = ["pvbatch", str(HERE / "light.py"), str(photons)]
     if ranks:
         command = ["mpiexec", "-n", str(ranks), command[0], "--mpi", *command[1:]]
-    run = subprocess.run(command, env={**os.environ, **MPI}, text=True, stdout=subprocess.PIPE,
-                         stderr=subprocess.STDOUT, timeout=300)
+    # The streams are apart, since mpiexec may put a message into the middle of a line.
+    run = subprocess.run(command, env={**os.environ, **MPI}, text=True, capture_output=True, timeout=300)
     lines = [line for line in run.stdout.splitlines() if line.startswith("MAP ")]
-    assert run.returncode == 0 and len(lines) == 1, run.stdout
+    assert run.returncode == 0 and len(lines) == 1, run.stdout + run.stderr
     return json.loads(lines[0][len("MAP "):])
 
 

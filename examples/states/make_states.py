@@ -43,7 +43,7 @@ def room():
     fine = named(simple.SurfaceRefinement, "Fine enough for photons", Input=scene, MaximumEdgeLength=0.12)
     lamp = named(simple.Luminaire, "Luminaire", LuminaireName="Pendant", Type="Rectangle", Position=[0, 0, 2.0],
                  Size=[1.2, 0.2], LuminousFlux=4000)
-    lit = named(simple.IlluminationMap, "Illumination Map", Input=fine, Luminaires=[lamp], GroupMeans=1)
+    lit = named(simple.IlluminationMap, "Illumination Map", Input=fine, Luminaires=[lamp])
     smooth = named(simple.IlluminationMapSmoothing, "Smoothing", Input=lit)
     look = named(simple.IlluminatedAppearance, "As it looks", Input=smooth, ExposureCompensation=1)
 

@@ -80,7 +80,6 @@ def change_lamp(lit):
     window.enter("LuminousFlux", "3000")
     window.enter("TargetRelativeError", "0.02")
     window.enter("Photons", "1000000000")
-    lit.GroupMeans = 1
     window.apply(2)
     show_map(lit, 350)
     picture("5_disk")

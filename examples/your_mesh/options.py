@@ -19,7 +19,7 @@ REGISTRATIONS = {
     "vertex-normalised": "Vertex Normalised",
 }
 METHODS = {  # of a report, with what suits them
-    "photon-tracing": {"Method": "Photon Tracing", "GroupMeans": 1},
+    "photon-tracing": {"Method": "Photon Tracing"},
     "final-gathering": {"Method": "Final Gathering", "GatherRays": 1024, "AdaptiveRefinement": 1},
 }
 ARRAYS = {

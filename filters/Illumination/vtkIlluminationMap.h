@@ -342,7 +342,7 @@ public:
    * point itself, whatever the size of facets: light straight from the lamps, caustics (light that
    * only mirrors, gloss and glass have sent there, IlluminanceCaustic), which photons bring, and
    * light that rays gather from diffuse surfaces, as photons have lit them. Registration then
-   * concerns caustics alone, and GroupMeans has no effect. Default: PHOTON_TRACING.
+   * concerns caustics alone, and there are no group means. Default: PHOTON_TRACING.
    */
   vtkSetClampMacro(Method, int, PHOTON_TRACING, FINAL_GATHERING);
   vtkGetMacro(Method, int);
@@ -601,7 +601,8 @@ public:
    * Whether the output has the arrays with which vtkIlluminationMapSmoothing works best: the maps
    * as means over each of four groups of photons, IlluminanceDirectGroups and
    * IlluminanceIndirectGroups (lx, 4 components). They take no more tracing, and 64 bytes a point.
-   * With FINAL_GATHERING there are none. Default: off.
+   * With FINAL_GATHERING there are none, since its noise is independent from point to point.
+   * Default: on.
    */
   virtual void SetGroupMeans(bool on) { this->SetAndKeepRun(this->GroupMeans, on); }
   vtkGetMacro(GroupMeans, bool);
@@ -762,7 +763,7 @@ protected:
   bool LampContributions = false;
   bool RegisterBackSide = false;
   bool CurvedSurface = false;
-  bool GroupMeans = false;
+  bool GroupMeans = true;
   int MaximumPhotons = 0;
   int PhotonPaths = 0;
   double MetresPerUnit = 1.0;

@@ -55,11 +55,6 @@ void vtkIlluminationMap::WriteMap(const SceneBlocks& blocks,
   notes.insert(notes.end(), missing.notes.begin(), missing.notes.end());
   const std::vector<std::string> onFiles = NotesOn(lighting);
   notes.insert(notes.end(), onFiles.begin(), onFiles.end());
-  if (this->GroupMeans && this->Method == FINAL_GATHERING)
-  {
-    notes.emplace_back("GroupMeans has no effect with Final Gathering, whose noise is independent "
-                       "from point to point: there are no group arrays");
-  }
   std::vector<std::string> warnings = WarningsOn(blocks, this->Kept->Scene);
   if (!missing.warning.empty())
   {
