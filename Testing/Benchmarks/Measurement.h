@@ -130,8 +130,7 @@ void RecordPhoton(const PhotonTransport::WalkSettings& walk,
   const PhotonTransport::PhotonSample& sample, std::vector<Segment>& segments)
 {
   const PhotonTransport::Emission emission = walk.source.Emit(sample);
-  PhotonTransport::Flight flight{ sample.Scatterings(), 0,
-    { emission.source, static_cast<std::uint16_t>(emission.channel), true } };
+  PhotonTransport::Flight flight{ sample.Scatterings(), 0, PhotonTransport::OriginOf(emission) };
   PhotonTransport::Ray next = emission.ray;
   PhotonTransport::PhotonBalance balance;
   std::vector<PhotonTransport::Arrivals> arrivals(walk.source.Lamps());

@@ -43,8 +43,9 @@ Estimate Forward(const Layers& layers, Which which, std::uint32_t channel, Rando
   return { layers, layers.source, layers.receiver, 1.0, random,
     [&](const Plane& plane, const Path& path, const ScatteringSample& sample)
     {
-      const Departure departure = Scatter<AllScatterings>(plane.material, channel, sample,
-        path.direction, NormalTowards(path.direction), MeetsFront(plane, path.direction));
+      const Departure departure =
+        Scatter<AllScatterings>(plane.material, plane.material.channels[channel], sample,
+          path.direction, NormalTowards(path.direction), MeetsFront(plane, path.direction));
       FollowedRay ray;
       ray.goesOn = !departure.absorbed && (which == Which::All || !IsDiffuse(departure.how));
       ray.sameSide = departure.sameSide;

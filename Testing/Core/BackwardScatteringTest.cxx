@@ -83,7 +83,8 @@ TEST(BackwardScattering, FollowsGreyMaterialsAsPhotonsDoToTheBit)
     const ScatteringSample sample = RandomSample(random);
     const glm::vec3 direction = Arriving(random);
     const bool front = i % 5 < 3;
-    const Departure photon = Scatter<AllScatterings>(material, 1, sample, direction, Normal, front);
+    const Departure photon =
+      Scatter<AllScatterings>(material, material.channels[1], sample, direction, Normal, front);
     const FollowedRay ray = FollowBack(material, sample, direction, Normal, front);
     ASSERT_EQ(ray.goesOn, !photon.absorbed);
     if (ray.goesOn)
@@ -214,7 +215,7 @@ TEST(BackwardScattering, PaneTransmittanceIsTheShareOfPhotonsThatGoStraightOn)
         for (int i = 0; i < Photons; ++i)
         {
           const Departure photon = Scatter<AllScatterings>(
-            material, c, RandomSample(random), direction, Normal, i % 2 == 0);
+            material, material.channels[c], RandomSample(random), direction, Normal, i % 2 == 0);
           straight += !photon.absorbed && photon.undeflected ? 1 : 0;
         }
         const double share = double{ transmittance[static_cast<int>(c)] };

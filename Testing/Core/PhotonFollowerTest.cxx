@@ -62,7 +62,7 @@ bool Same(const std::vector<PhotonHit>& a, const std::vector<PhotonHit>& b)
     {
       return x.photon == y.photon && x.facet == y.facet && x.barycentric == y.barycentric &&
         x.direction == y.direction && x.scatterings == y.scatterings && x.source == y.source &&
-        x.channel == y.channel && x.front == y.front;
+        x.shares == y.shares && x.front == y.front;
     });
 }
 

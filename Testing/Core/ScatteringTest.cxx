@@ -26,7 +26,8 @@ const glm::vec3 Slanted = glm::normalize(glm::vec3(0.6f, -0.3f, -0.7f));
 Departure Scattered(const Roulette& roulette, const ScatteringSample& sample,
   const glm::vec3& direction, std::uint32_t channel = 0, bool front = true)
 {
-  return Scatter<AllScatterings>(roulette, channel, sample, direction, Normal, front);
+  return Scatter<AllScatterings>(
+    roulette, roulette.channels[channel], sample, direction, Normal, front);
 }
 
 /// How many photons out of how many had what fate.

@@ -22,7 +22,6 @@ from lighting import (  # noqa: E402
     EVENING,
     LAMPS,
     LATE,
-    LUMINOUS,
     READING_SEATS,
     contribution,
     differ,
@@ -70,16 +69,11 @@ def dimming_rows(found, fresh):
 
 
 def smoothed_colours(found):
-    """Red, green and blue illuminance (lx), each smoothed as a map of its own.
-
-    Every photon is red, green or blue and carries as many lumens as the others: the variance of the
-    illuminance divides as the illuminance does, of which a channel is weight times channel.
-    """
-    error = found.array("StandardError") / np.sqrt(np.maximum(found.array(), 1e-30))
+    """Red, green and blue illuminance (lx), each smoothed as a map of its own."""
     channels = []
-    for weight, values in zip(LUMINOUS, found.array("IlluminanceRGB").T.astype(float)):
+    for values, errors in zip(found.array("IlluminanceRGB").T.astype(float), found.array("StandardErrorRGB").T):
         channel = with_array(found.surface, values, "Channel")
-        channel = with_array(channel, error * np.sqrt(values / weight), "ChannelError")
+        channel = with_array(channel, errors, "ChannelError")
         channel = smooth(channel, IlluminanceArray="Channel", StandardErrorArray="ChannelError")
         channels.append(vtk_to_numpy(channel.GetPointData().GetArray("ChannelSmoothed")))
     return np.stack(channels, axis=1)

@@ -82,7 +82,7 @@
  * hits are of, and LuminaireNames. The fourth output, a vtkPolyData, has the paths of the first
  * PhotonPaths photons as polylines, from the lamp on; those that left the scene end a little beyond
  * their last hit. Point array: Scatterings (before this point). Cell arrays: Luminaire, Escaped (0
- * or 1), with colours Channel (0 to 2).
+ * or 1), with colours LightColour (linear RGB, luminance 1, as it started).
  *
  * If fluxes are given in watts instead of lumens, the result is irradiance in W/m^2.
  *
@@ -540,8 +540,9 @@ public:
 
   ///@{
   /**
-   * Whether each photon carries one of three channels if a material or a lamp has a colour. If this
-   * is off, or if nothing has a colour, there is one channel, the luminous one. Default: on.
+   * Whether photons have colours, shares of red, green and blue in their luminous flux, if a
+   * material or a lamp has one. If this is off, or if nothing has a colour, light has one channel,
+   * the luminous one. Default: on.
    */
   vtkSetMacro(Colour, bool);
   vtkGetMacro(Colour, bool);

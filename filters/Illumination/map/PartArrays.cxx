@@ -4,13 +4,13 @@
 #include "Illumination/pipeline/FieldArrays.h"
 
 #include "PhotonTransport/lights/Lamp.h"
-#include "PhotonTransport/materials/Colour.h"
 #include "PhotonTransport/statistics/PartErrors.h"
 #include "PhotonTransport/transport/IlluminationRun.h"
 #include "PhotonTransport/transport/RefinedMap.h"
 
 #include "vtkPointData.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -28,20 +28,19 @@ std::string NameOf(const PhotonTransport::Luminaire& luminaire)
 
 using ByColour = std::array<double, 3>;
 
-/// @param front What all colours give together.
-void AddColourErrors(
-  const PointMapping& mapping, const IlluminationMap& front, const std::vector<ByColour>& byColour)
+void AddColourErrors(const PointMapping& mapping, const std::vector<ByColour>& ofVertices)
 {
   std::vector<ByColour> errors(
     static_cast<std::size_t>(mapping.PointArrays()->GetNumberOfTuples()));
+  std::vector<double> channel(ofVertices.size());
   for (std::size_t c = 0; c < 3; ++c)
   {
-    const double weight{ PhotonTransport::LuminousWeights[static_cast<int>(c)] };
-    const std::vector<double> ofColour = mapping.MeanError(PhotonTransport::PartErrors(
-      front, [&](std::size_t vertex) { return weight * byColour[vertex][c]; }));
+    std::transform(ofVertices.begin(), ofVertices.end(), channel.begin(),
+      [&](const ByColour& error) { return error[c]; });
+    const std::vector<double> ofColour = mapping.MeanError(channel);
     for (std::size_t point = 0; point < errors.size(); ++point)
     {
-      errors[point][c] = ofColour[point] / weight;
+      errors[point][c] = ofColour[point];
     }
   }
   AddArray(mapping.PointArrays(), "StandardErrorRGB", errors);
@@ -56,11 +55,11 @@ void AddParts(const std::vector<PointMapping>& mappings,
   const bool byPhotons = front.caustic.empty();
   if (run.EffectsInUse().colour)
   {
-    const std::vector<ByColour> byColour = run.FrontByColour();
-    AddMean(mappings, "IlluminanceRGB", byColour);
+    AddMean(mappings, "IlluminanceRGB", run.FrontByColour());
+    const std::vector<ByColour> errors = run.ColourErrors();
     for (std::size_t block = 0; byPhotons && block < mappings.size(); ++block)
     {
-      AddColourErrors(mappings[block], front, byColour);
+      AddColourErrors(mappings[block], errors);
     }
   }
   for (std::size_t lamp = 0; lighting && lamp < lighting->luminaires.size(); ++lamp)

@@ -19,12 +19,19 @@
 #include "vtkSignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace Illumination
 {
 namespace
 {
+
+/// Of a photon's light, linear RGB with the luminance 1: white light has three equal components.
+glm::dvec3 ColourOf(const PhotonTransport::PhotonHit& hit)
+{
+  return glm::dvec3(hit.shares) / glm::dvec3(PhotonTransport::LuminousWeights);
+}
 
 using PhotonTransport::PhotonHit;
 using PhotonTransport::PhotonPath;
@@ -131,13 +138,12 @@ void AddHitArrays(
     [](const PhotonHit& hit, signed char* value) { *value = hit.front ? 1 : -1; });
   if (source.run.EffectsInUse().colour)
   {
-    // A photon's luminous flux does not depend on its channel, and white light has three equal
-    // components.
     AddHitArray<vtkDoubleArray>(output, "FluxRGB", 3, hits,
       [&](const PhotonHit& hit, double* values)
       {
-        std::fill(values, values + 3, 0.0);
-        values[hit.channel] = fluxOf(hit) / double{ PhotonTransport::LuminousWeights[hit.channel] };
+        const glm::dvec3 colour = ColourOf(hit);
+        std::transform(
+          &colour.x, &colour.x + 3, values, [&](double part) { return fluxOf(hit) * part; });
       });
   }
   const CellsOfHits cells(source);
@@ -240,7 +246,7 @@ void FillPhotonPaths(const PhotonSource& source, std::uint64_t photons, vtkPolyD
   };
   std::vector<std::uint64_t> luminaires;
   std::vector<std::uint64_t> escaped;
-  std::vector<std::uint64_t> channels;
+  std::vector<std::array<double, 3>> colours;
   for (const PhotonPath& path : paths)
   {
     lines->InsertNextCell(static_cast<int>(path.hits.size() + 1));
@@ -252,7 +258,8 @@ void FillPhotonPaths(const PhotonSource& source, std::uint64_t photons, vtkPolyD
       add(last, hit.scatterings);
     }
     luminaires.push_back(source.run.LampOf(path.hits.front().source));
-    channels.push_back(path.hits.front().channel);
+    const glm::dvec3 colour = ColourOf(path.hits.front());
+    colours.push_back({ colour.x, colour.y, colour.z });
     escaped.push_back(path.hits.back().HasEscaped() ? 1 : 0);
   }
   output->SetPoints(points);
@@ -262,7 +269,7 @@ void FillPhotonPaths(const PhotonSource& source, std::uint64_t photons, vtkPolyD
   AddArray(output->GetCellData(), "Escaped", escaped);
   if (source.run.EffectsInUse().colour)
   {
-    AddArray(output->GetCellData(), "Channel", channels);
+    AddArray(output->GetCellData(), "LightColour", colours);
   }
   AddArray(output->GetFieldData(), "LuminaireNames", NamesOf(source.lighting));
 }

@@ -39,7 +39,7 @@ struct Effects
   Registration registration = Registration::VertexNormalised;
   ScatteringSet present = 0;   ///< Ways in which facets scatter light.
   ScatteringSet simulated = 0; ///< Those of them that are switched on.
-  bool colour = false;         ///< Photons carry a channel each.
+  bool colour = false;         ///< Photons have colours.
   bool colouredFacets = false; ///< Facets treat the channels unequally, and this is simulated.
   EffectSettings settings;     ///< What was asked for.
   EffectCounts counts;
@@ -48,7 +48,7 @@ struct Effects
 Effects AnalyseEffects(
   const Scene& scene, const Lighting& lighting, const EffectSettings& settings);
 
-/// Whether photons carry a channel each, and colours are therefore kept apart in the map.
+/// Whether photons have colours, and these are therefore kept apart in the map.
 /// @param facets Whether a facet IsColoured.
 bool SimulatesColour(bool facets, const Lighting& lighting, const EffectSettings& settings);
 

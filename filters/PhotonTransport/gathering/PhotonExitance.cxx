@@ -53,7 +53,7 @@ public:
       // E = flux / N * count / area, in units of the flux on a scene unit squared; Jensen,
       // "Realistic Image Synthesis Using Photon Mapping", 2001, chapter 7, with a cell in place of
       // a disk.
-      const double light = PerPhoton(this->PerArea, replicate.photons);
+      const double light = this->PerCount(replicate.photons);
       for (std::size_t c = 0; c < exitance.channels; ++c)
       {
         const double here = replicate.cells->all[this->Own + c];
@@ -70,10 +70,15 @@ public:
   }
 
 private:
+  double PerCount(double photons) const
+  {
+    return PerPhoton(this->PerArea, photons) / this->Counts.replicates.front().cells->OfPhoton();
+  }
+
   void FillByLamp(CellExitance& exitance, std::size_t side) const
   {
     const LampCellCounts& counts = this->Counts.lamps;
-    const double light = PerPhoton(this->PerArea, this->Counts.Photons());
+    const double light = this->PerCount(this->Counts.Photons());
     const std::size_t own = this->Own * exitance.lamps;
     const std::size_t other = this->Other * exitance.lamps;
     float* leaving = exitance.leavingByLamp.Of(side);
@@ -115,7 +120,7 @@ double PhotonCounts::CountOn(std::uint32_t cell, bool front) const
       sum += replicate.cells->all[place + c];
     }
   }
-  return sum;
+  return sum / this->replicates.front().cells->OfPhoton();
 }
 
 CellExitance ExitanceByPhotons(

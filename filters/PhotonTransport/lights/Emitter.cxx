@@ -12,16 +12,12 @@ namespace PhotonTransport
 namespace
 {
 
-/// Shares of the channels in the luminous flux of light of a colour, added up from red to blue.
-Colour ChannelEndsOf(const Colour& colour)
+/// Shares of the channels in the luminous flux of light of a colour.
+Colour SharesIn(const Colour& colour)
 {
   const Colour flux = LuminousWeights * colour;
   const float sum = flux.x + flux.y + flux.z;
-  if (!(sum > 0.0f))
-  {
-    return { LuminousWeights.x, LuminousWeights.x + LuminousWeights.y, 1.0f };
-  }
-  return { flux.x / sum, (flux.x + flux.y) / sum, 1.0f };
+  return sum > 0.0f ? flux / sum : LuminousWeights;
 }
 
 void RequireColour(const Colour& colour)
@@ -69,7 +65,7 @@ Emitter::Emitter(const Lighting& lighting, const Scene& scene, bool colour, Open
     this->TotalFlux += prepared.flux;
     if (colour)
     {
-      this->ChannelEnds.push_back(ChannelEndsOf(luminaire.colour));
+      this->SharesOfLamps.push_back(SharesIn(luminaire.colour));
     }
   }
   if (this->Fluxes.empty())
@@ -139,31 +135,17 @@ Emission Emitter::EmitThroughOpening(
   Emission emission;
   emission.source = source;
   emission.ray = this->ThroughOpenings(source)->Emit(sample, share);
-  if (!this->ChannelEnds.empty())
-  {
-    emission.channel = this->ChooseChannel(sample, this->LampOf(source), share);
-  }
+  this->GiveColour(emission, sample, share);
   return emission;
 }
 
 Colour Emitter::ChannelShares(std::size_t lamp, const Colour* own) const
 {
-  if (this->ChannelEnds.empty())
+  if (this->SharesOfLamps.empty())
   {
     return { 1.0f, 0.0f, 0.0f };
   }
-  const Colour ends = own ? ChannelEndsOf(*own) : this->ChannelEnds[lamp];
-  return { ends.x, ends.y - ends.x, ends.z - ends.y };
-}
-
-std::uint32_t Emitter::ChooseChannel(
-  const PhotonSample& sample, std::uint32_t lamp, const Share& share) const
-{
-  const float number = sample.ChannelNumber();
-  const Colour* own = std::visit(
-    [&](const auto& emitter) { return emitter.OwnColour(sample, share); }, this->Emitters[lamp]);
-  const Colour ends = own ? ChannelEndsOf(*own) : this->ChannelEnds[lamp];
-  return number < ends.x ? 0u : number < ends.y ? 1u : 2u;
+  return own ? SharesIn(*own) : this->SharesOfLamps[lamp];
 }
 
 } // namespace PhotonTransport

@@ -20,8 +20,8 @@ struct Emission
 {
   /// The photon's way; from a source at an opening, the way out, see OpeningEmitter::Emit.
   Ray ray;
-  std::uint32_t source = 0;  ///< See Emitter.
-  std::uint32_t channel = 0; ///< Which colour, where photons have one.
+  std::uint32_t source = 0;          ///< See Emitter.
+  Colour shares{ 1.0f, 0.0f, 0.0f }; ///< See Emitter::ChannelShares.
 };
 
 /// All lamps made ready: emits photons in the scene's coordinates.
@@ -33,7 +33,7 @@ class Emitter
 {
 public:
   /// Throws InvalidInput for a lamp that makes no sense (names the value, and the lamp if it has a
-  /// name). @param scene Must outlive the emitter. @param colour Whether photons carry a channel.
+  /// name). @param scene Must outlive the emitter. @param colour Whether photons have colours.
   /// @param openings Through which light from afar enters: if there are any, lamps get the other
   /// parts of their light.
   Emitter(
@@ -86,8 +86,8 @@ public:
   /// above 0 where the flux is.
   void SetPhotonShares(const std::vector<double>& shares);
 
-  /// Shares of red, green and blue in luminous flux: those with which photons get their channels.
-  /// Without colour all is in the first.
+  /// Shares of red, green and blue in luminous flux, together 1; without colour all is in the
+  /// first.
   /// @param own The colour of the place on the lamp, if it has one; see LampKind.h.
   Colour ChannelShares(std::size_t lamp, const Colour* own = nullptr) const;
 
@@ -122,17 +122,22 @@ private:
     emission.source = lamp;
     emission.ray = std::visit(
       [&](const auto& emitter) { return emitter.Emit(sample, share); }, this->Emitters[lamp]);
-    if (!this->ChannelEnds.empty())
-    {
-      emission.channel = this->ChooseChannel(sample, lamp, share);
-    }
+    this->GiveColour(emission, sample, share);
     return emission;
   }
   Emission EmitThroughOpening(
     const PhotonSample& sample, std::uint32_t source, const Share& share) const;
   void AddParts();
-  std::uint32_t ChooseChannel(
-    const PhotonSample& sample, std::uint32_t lamp, const Share& share) const;
+  void GiveColour(Emission& emission, const PhotonSample& sample, const Share& share) const
+  {
+    if (!this->SharesOfLamps.empty())
+    {
+      const std::uint32_t lamp = this->LampOf(emission.source);
+      emission.shares = this->ChannelShares(lamp,
+        std::visit([&](const auto& emitter) { return emitter.OwnColour(sample, share); },
+          this->Emitters[lamp]));
+    }
+  }
 
   std::vector<LampEmitter> Emitters;
   std::vector<double> Fluxes;
@@ -142,8 +147,7 @@ private:
   std::vector<std::shared_ptr<const OpeningEmitter>> Through;
   std::vector<double> SourceFluxes;
   std::vector<float> StartWeightOfSource;
-  /// [lamp] Shares of red, of red and green, and of all in the lamp's flux; empty without colour.
-  std::vector<Colour> ChannelEnds;
+  std::vector<Colour> SharesOfLamps; ///< [lamp] Empty without colour.
   double TotalFlux = 0.0;
 };
 

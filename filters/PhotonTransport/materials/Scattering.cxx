@@ -33,8 +33,8 @@ bool Any(const Colour& share)
 
 Roulette MakeRoulette(const Material& material, bool colour)
 {
-  Roulette roulette{ {}, material.roughness * material.roughness, material.refractiveIndex,
-    Any(material.clearTransmittance), material.solid,
+  Roulette roulette{ {}, !colour || !IsColoured(material), material.roughness * material.roughness,
+    material.refractiveIndex, Any(material.clearTransmittance), material.solid,
     (ScatteringsOf(material) & Transmissions) != 0 };
   for (int c = 0; c < 3; ++c)
   {

@@ -36,6 +36,7 @@ struct RouletteChannel
 struct Roulette
 {
   std::array<RouletteChannel, 3> channels; ///< All the same where photons have no colour.
+  bool grey;                               ///< Whether they are.
   float alpha;
   float refractiveIndex;
   bool clear;
@@ -43,7 +44,7 @@ struct Roulette
   bool translucent; ///< Lets light through, in any way.
 };
 
-/// @param colour Whether photons carry a channel each; otherwise all three are the luminous one.
+/// @param colour Whether photons have colours; otherwise all three channels are the luminous one.
 Roulette MakeRoulette(const Material& material, bool colour);
 
 /// What a material can do with light.
@@ -70,7 +71,7 @@ public:
     , Normal(normal)
     , Solid(material.solid)
     , CosIn(std::min(1.0f, -glm::dot(direction, normal)))
-    , Index(material.solid && !front ? 1.0f / material.refractiveIndex : material.refractiveIndex)
+    , Index(IndexOf(material, front))
     , Fresnel(this->CosIn, this->Index)
   {
   }
@@ -99,11 +100,20 @@ public:
                            std::max(this->Fresnel.cosine, 1e-6f))
                        : this->Direction;
   }
-  /// By which radiance is divided that has come against the direction of Passed(): radiance over
-  /// the square of the refractive index stays the same along a ray.
-  float RadianceDivisor() const { return this->Solid ? this->Index * this->Index : 1.0f; }
+  /// By which radiance is divided that has come out of a body, or into it, against the direction of
+  /// Passed(): radiance over the square of the refractive index stays the same along a ray.
+  static float RadianceDivisor(const Roulette& body, bool front)
+  {
+    const float index = IndexOf(body, front);
+    return index * index;
+  }
 
 private:
+  static float IndexOf(const Roulette& material, bool front)
+  {
+    return material.solid && !front ? 1.0f / material.refractiveIndex : material.refractiveIndex;
+  }
+
   glm::vec3 Direction, Normal;
   bool Solid;
   float CosIn;
@@ -128,13 +138,13 @@ inline Departure PassClear(const Roulette& material, float internal, float u,
 }
 
 /// What becomes of a photon of unit energy: it goes on with all of it, or is absorbed.
-/// @tparam Possible What is compiled in. @param direction Unit, of the arriving ray.
+/// @tparam Possible What is compiled in. @param shares Of the material's channels, the one that the
+/// photon has. @param direction Unit, of the arriving ray.
 /// @param normal Unit, on the side it comes from. @param front Whether that is the front.
 template <ScatteringSet Possible>
-Departure Scatter(const Roulette& material, std::uint32_t channel, const ScatteringSample& sample,
-  const glm::vec3& direction, const glm::vec3& normal, bool front)
+Departure Scatter(const Roulette& material, const RouletteChannel& shares,
+  const ScatteringSample& sample, const glm::vec3& direction, const glm::vec3& normal, bool front)
 {
-  const RouletteChannel& shares = material.channels[channel];
   const std::uint64_t bits = sample.survival;
   Departure departure;
   if (bits < shares.diffuse)

@@ -12,10 +12,12 @@
 namespace PhotonTransport
 {
 
-/// How many photons have met each side of each cell (see FacetCells), by channel where photons have
-/// one. The counts of disjoint sets of photons add up.
+/// How many photons have met each side of each cell (see FacetCells). Where photons have colours
+/// each counts OfColours, divided between the channels. The counts of disjoint sets of photons add
+/// up.
 struct CellCounts
 {
+  static constexpr std::uint32_t OfColours = 256;
   /// A sum of so many can be tripled without an overflow.
   static constexpr std::uint32_t Full = 1u << 30;
 
@@ -29,6 +31,8 @@ struct CellCounts
   }
 
   bool IsEmpty() const { return this->all.empty(); }
+  /// What one photon counts, all channels together.
+  std::uint32_t OfPhoton() const { return this->channels > 1 ? OfColours : 1; }
   /// Where the channels of a side begin.
   std::size_t PlaceOf(std::uint32_t cell, bool front) const
   {

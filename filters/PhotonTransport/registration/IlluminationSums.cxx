@@ -71,6 +71,7 @@ void SumOver(Ranks& ranks, IlluminationSums& sums)
 {
   ranks.SumAll(sums.front);
   ranks.SumAll(sums.back);
+  SumOver(ranks, sums.layers);
   ranks.SumAll(sums.cells.all); // below 2^32 in all: see CellCounts::Full
   ranks.SumAll(sums.cells.caustic);
   ranks.SumAll(sums.arrivals);

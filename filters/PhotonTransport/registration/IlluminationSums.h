@@ -31,6 +31,12 @@ inline double FromFixedPoint(FixedPoint sum)
   return static_cast<double>(sum) / double{ FixedPointOne };
 }
 
+/// Rounds to nearest. @param share [0, 1]
+inline FixedPoint ShareOf(FixedPoint sum, float share)
+{
+  return static_cast<FixedPoint>(static_cast<double>(sum) * double{ share } + 0.5);
+}
+
 /// For weights that may be huge: with 12 fraction bits, a sum can hold nearly 2^31 hits of weight
 /// 2^20.
 constexpr float CoarseFixedPointOne = 0x1p12f;
@@ -65,11 +71,14 @@ struct alignas(32) VertexSums
 struct LightLayers
 {
   static constexpr std::size_t Channels = 3;
+  /// Of each photon the channels' shares in its light, and their squares, which tell how much
+  /// photons differ in them.
+  static constexpr std::size_t ColourLayers = 2 * Channels;
 
   LightLayers() = default;
   /// @param lamps 0 keeps no lamps apart.
   LightLayers(std::size_t vertices, bool colour, std::size_t lamps)
-    : firstLamp(colour ? Channels : 0)
+    : firstLamp(colour ? ColourLayers : 0)
     , perVertex(firstLamp + lamps)
     , sums(vertices * perVertex, 0)
   {
@@ -88,7 +97,7 @@ struct LightLayers
     return source < lamps ? source : source % lamps;
   }
 
-  std::size_t firstLamp = 0; ///< Channels, if there are any, come before the lamps.
+  std::size_t firstLamp = 0; ///< Layers of colour, if there are any, come before the lamps.
   std::size_t perVertex = 0;
   std::vector<FixedPoint> sums; ///< [vertex][layer]
   LampCellCounts lampCells;     ///< Empty unless light is counted by cells and lamps.
@@ -136,7 +145,7 @@ void MoveInto(IlluminationSums& total, IlluminationSums& part);
 /// The same of all but vertices and layers.
 void MoveCounts(IlluminationSums& total, IlluminationSums& part);
 
-/// Replaces sums by those over all ranks. Those of all but layers do not include layers.
+/// Replaces sums by those over all ranks.
 void SumOver(Ranks& ranks, LightLayers& layers);
 void SumOver(Ranks& ranks, IlluminationSums& sums);
 

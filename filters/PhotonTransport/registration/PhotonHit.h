@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/materials/Colour.h"
 #include "PhotonTransport/scene/Ray.h"
 
 #include <glm/vec3.hpp>
@@ -20,8 +21,8 @@ struct PhotonHit
   glm::vec3 direction;       ///< In which the photon flew, unit.
   std::uint32_t scatterings; ///< Of the photon before.
   std::uint32_t source;      ///< See Emitter.
-  std::uint16_t channel;
-  bool front; ///< Whether it arrived on the facet's front.
+  Colour shares;             ///< See PhotonOrigin.
+  bool front;                ///< Whether it arrived on the facet's front.
 
   bool HasEscaped() const { return this->facet == NoFacet; }
 };

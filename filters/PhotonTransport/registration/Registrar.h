@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/materials/Colour.h"
 #include "PhotonTransport/registration/IlluminationSums.h"
 #include "PhotonTransport/registration/Registration.h"
 #include "PhotonTransport/scene/Scene.h"
@@ -111,11 +112,13 @@ glm::vec3 HitWeights(const Scene& scene, const RegisteredPlace& place, const glm
 struct PhotonOrigin
 {
   std::uint32_t source = 0; ///< See Emitter.
-  std::uint16_t channel = 0;
-  bool direct = true;     ///< Straight from the lamp, or through thin panes.
-  bool undiffused = true; ///< No facet has scattered it diffusely.
+  bool direct = true;       ///< Straight from the lamp, or through thin panes.
+  bool undiffused = true;   ///< No facet has scattered it diffusely.
   /// Whether Arrivals has counted it. Only walks keep this in which facets let light through.
   bool arrived = false;
+
+  /// Of red, green and blue in the photon's luminous flux, together 1, where photons have colours.
+  Colour shares{ 1.0f, 0.0f, 0.0f };
 
   /// Whether nothing but mirrors, gloss and glass have sent it here.
   bool IsCaustic() const { return this->undiffused && !this->direct; }
@@ -214,7 +217,12 @@ private:
       FixedPoint* own = &this->Layers.sums[vertices[corner] * this->Layers.perVertex];
       if (this->Layers.HasColour())
       {
-        own[photon.channel] += weights[corner];
+        for (std::size_t c = 0; c < LightLayers::Channels; ++c)
+        {
+          const float share = photon.shares[static_cast<int>(c)];
+          own[c] += ShareOf(weights[corner], share);
+          own[LightLayers::Channels + c] += ShareOf(weights[corner], share * share);
+        }
       }
       if (this->Layers.HasLamps())
       {

@@ -88,13 +88,6 @@ public:
   /// The same as a 32-bit fraction, for choosing among many.
   std::uint32_t EmissionBits(unsigned d) const { return this->Leading(d); }
 
-  /// In [0, 1): decides the photon's colour, where it has one.
-  float ChannelNumber() const
-  {
-    constexpr std::uint32_t ChannelBlock = 0xfffffffdu; // that no scattering order reaches
-    return UnitFloat(PhotonRandom(this->Key, this->Index, ChannelBlock)[0]);
-  }
-
   /// In [0, 1): decides whether a photon is kept that was drawn by a bound of its light.
   float KeepingNumber() const { return KeepingNumbers(this->Key, this->Index)[0]; }
 

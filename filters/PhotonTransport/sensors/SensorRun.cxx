@@ -123,6 +123,8 @@ ShareOfLight SensorRun::Caustics() const
     caustic =
       std::accumulate(replicate.cells.caustic.begin(), replicate.cells.caustic.end(), caustic);
   }
+  all /= this->Sums.replicates.front().cells.OfPhoton();
+  caustic /= this->Sums.replicates.front().cells.OfPhoton();
   // A photon counts each time that it meets the surface.
   const double each =
     std::max(1.0, all / std::max(1.0, static_cast<double>(this->Sums.Balance().emitted)));

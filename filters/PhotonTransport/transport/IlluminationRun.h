@@ -87,6 +87,9 @@ public:
   /// [vertex] The light on the front by colour, lx. White light has three equal channels; the sum
   /// weighted by LuminousWeights is that of Front(). Empty where the scene calls for no colour.
   std::vector<std::array<double, 3>> FrontByColour() const;
+  /// [vertex] The standard errors of FrontByColour(), lx; empty without colour and in
+  /// Method::FinalGathering.
+  std::vector<std::array<double, 3>> ColourErrors() const;
   /// [vertex] The light on the front from one luminaire, lx; 0 unless TraceSettings::lampsApart.
   std::vector<double> FrontOfLamp(std::size_t lamp) const;
 

@@ -71,6 +71,13 @@ std::vector<std::array<double, 3>> IlluminationRun::FrontByColour() const
   return front;
 }
 
+std::vector<std::array<double, 3>> IlluminationRun::ColourErrors() const
+{
+  return this->Second ? std::vector<std::array<double, 3>>()
+                      : this->Sums.ColourErrors(
+                          this->Flux(), this->LitScene.VertexAreas(), this->Tracer.StartWeights());
+}
+
 std::vector<double> IlluminationRun::FrontOfLamp(std::size_t lamp) const
 {
   std::vector<double> front =

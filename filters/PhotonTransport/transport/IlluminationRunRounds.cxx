@@ -65,16 +65,11 @@ std::optional<StopReason> IlluminationRun::TraceRound(
   {
     reason = this->TraceReplicate(r, end, rules, monitor);
   }
-  if (this->Sharing->AreSeveral())
-  {
-    SumOver(*this->Sharing, this->Part.layers);
-    MoveInto(this->Sums.layers, this->Part.layers);
-  }
   return reason;
 }
 
 /// Traces a replicate up to a block, slice after slice. Ranks have a part of each slice, and add up
-/// all but the layers at the end.
+/// at the end.
 std::optional<StopReason> IlluminationRun::TraceReplicate(
   std::uint32_t number, std::uint64_t end, const StopRules& rules, const ProgressMonitor& monitor)
 {
@@ -102,10 +97,8 @@ std::optional<StopReason> IlluminationRun::TraceReplicate(
   }
   if (this->Sharing->AreSeveral())
   {
-    LightLayers layers = std::exchange(this->Part.layers, {});
     SumOver(*this->Sharing, this->Part);
     this->Sums.Add(number, this->Part);
-    this->Part.layers = std::move(layers);
   }
   return reason;
 }

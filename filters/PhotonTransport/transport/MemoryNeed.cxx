@@ -120,8 +120,10 @@ std::uint64_t SumsPerVertex(const Lighting& lighting, const TraceSettings& setti
   const std::uint64_t sides = settings.registerBackSide ? 2 : 1;
   const auto threads = static_cast<std::uint64_t>(ThreadCount(settings.threads));
   const std::uint64_t lamps = settings.lampsApart ? lighting.luminaires.size() : 0;
-  const std::uint64_t layers = (colour ? LightLayers::Channels : 0) + lamps;
-  return threads * sides * sizeof(VertexSums) +
+  const std::uint64_t layers = (colour ? LightLayers::ColourLayers : 0) + lamps;
+  const std::uint64_t colours =
+    colour ? settings.replicates * LightLayers::Channels * sizeof(FixedPoint) : 0;
+  return threads * sides * sizeof(VertexSums) + colours +
     SideSums::BytesPerVertex(settings.replicates, Groups) +
     (sides - 1) * SideSums::BytesPerVertex(settings.replicates, 1) +
     layers * ((threads + 1) * sizeof(FixedPoint) + 3 * sizeof(double));

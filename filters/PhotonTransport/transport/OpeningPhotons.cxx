@@ -118,7 +118,8 @@ void OpeningPhotons::Step(TracedBack& back, Hit hit) const
   }
   const Roulette& material = this->Materials.roulettes[this->Materials.ofFacet[hit.facet]];
   const glm::vec3& normal = scene.Facets()[hit.facet].normal;
-  const Departure departure = Scatter<AllScatterings>(material, origin.channel,
+  // The shares of the channels after all scatterings do not depend on their order.
+  const Departure departure = ScatterPhoton<AllScatterings>(material, origin,
     back.photon.numbers.At(back.photon.order), back.ray.direction, front ? normal : -normal, front);
   const bool straightOnly = this->Source.PartOf(origin.source) == LightPart::Straight;
   if (departure.absorbed || (this->Ways.switchedOn & SetOf(departure.how)) == 0 ||

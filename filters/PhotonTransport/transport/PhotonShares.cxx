@@ -51,8 +51,7 @@ Fates FatesOf(const Scene& scene, const Emitter& emitter, const OpeningPhotons& 
     {
       const Emission emission = emitter.EmitOf(sample, source);
       rays[i] = emission.ray;
-      photons[i] = { sample.Scatterings(), 0,
-        { source, static_cast<std::uint16_t>(emission.channel) } };
+      photons[i] = { sample.Scatterings(), 0, OriginOf(emission) };
     }
     std::size_t count = openings.Start(
       photons.data(), rays.data(), 0, PhotonsTogether, balances.data(), arrivals.data());

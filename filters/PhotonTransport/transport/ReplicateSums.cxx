@@ -61,23 +61,14 @@ std::vector<Count> BySource(
   return all;
 }
 
-/// [replicate] Photons.
-std::vector<double> PhotonsOf(const std::vector<IlluminationSums>& replicates)
-{
-  std::vector<double> photons;
-  for (const IlluminationSums& replicate : replicates)
-  {
-    photons.push_back(static_cast<double>(replicate.Balance().emitted));
-  }
-  return photons;
-}
-
 } // namespace
 
 ReplicateSums::ReplicateSums(std::size_t numberOfReplicates, IlluminationSums empty)
   : front(empty.front.size(), numberOfReplicates, Groups)
   , back(empty.back.size(), numberOfReplicates, 1)
   , layers(std::exchange(empty.layers, {}))
+  , colours(layers.HasColour() ? numberOfReplicates : 0,
+      std::vector<FixedPoint>(LightLayers::Channels * empty.front.size(), 0))
 {
   empty.front = {};
   empty.back = {};
@@ -88,6 +79,7 @@ void ReplicateSums::Add(std::size_t replicate, IlluminationSums& sums)
 {
   this->front.Add(replicate, sums.front);
   this->back.Add(replicate, sums.back);
+  this->AddColours(replicate, sums.layers);
   MoveInto(this->layers, sums.layers);
   MoveCounts(this->replicates[replicate], sums);
 }
@@ -135,7 +127,7 @@ IlluminationMap ReplicateSums::Map(Side side, double flux, const std::vector<dou
   {
     return map;
   }
-  const std::vector<double> photons = PhotonsOf(this->replicates);
+  const std::vector<double> photons = this->PhotonsOfReplicates();
   // Weights come first, since what a hit adds on average is known only when all are there.
   ForEachWithArea(areas,
     [&](std::size_t v)
@@ -165,16 +157,26 @@ IlluminationMap ReplicateSums::Map(Side side, double flux, const std::vector<dou
   return map;
 }
 
+std::vector<double> ReplicateSums::PhotonsOfReplicates() const
+{
+  std::vector<double> photons;
+  for (const IlluminationSums& replicate : this->replicates)
+  {
+    photons.push_back(static_cast<double>(replicate.Balance().emitted));
+  }
+  return photons;
+}
+
 bool ReplicateSums::CanTellSpread() const
 {
-  const std::vector<double> photons = PhotonsOf(this->replicates);
+  const std::vector<double> photons = this->PhotonsOfReplicates();
   return std::count_if(photons.begin(), photons.end(), [](double n) { return n > 0.0; }) >= 2;
 }
 
 GroupMeans ReplicateSums::FrontByGroups(double flux, const std::vector<double>& areas) const
 {
   std::array<double, Groups> photons{};
-  const std::vector<double> ofReplicates = PhotonsOf(this->replicates);
+  const std::vector<double> ofReplicates = this->PhotonsOfReplicates();
   for (std::size_t r = 0; r < ofReplicates.size(); ++r)
   {
     photons[r % Groups] += ofReplicates[r];
@@ -224,35 +226,6 @@ GroupMeans ReplicateSums::FrontByGroups(double flux, const std::vector<double>& 
   return groups;
 }
 
-std::vector<std::array<double, 3>> ReplicateSums::FrontByColour(
-  double flux, const std::vector<double>& areas) const
-{
-  const auto emitted = static_cast<double>(this->Balance().emitted);
-  std::vector<std::array<double, 3>> map(this->layers.HasColour() ? areas.size() : 0);
-  for (std::size_t v = 0; v < map.size(); ++v)
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      map[v][c] = IlluminanceOf(flux, areas[v], this->layers.Weights(v, c), emitted) /
-        double{ LuminousWeights[static_cast<int>(c)] };
-    }
-  }
-  return map;
-}
-
-std::vector<double> ReplicateSums::FrontOfLamp(
-  std::size_t lamp, double flux, const std::vector<double>& areas) const
-{
-  const auto emitted = static_cast<double>(this->Balance().emitted);
-  std::vector<double> map(areas.size(), 0.0);
-  for (std::size_t v = 0; v < map.size() && this->layers.HasLamps(); ++v)
-  {
-    map[v] = IlluminanceOf(
-      flux, areas[v], this->layers.Weights(v, this->layers.firstLamp + lamp), emitted);
-  }
-  return map;
-}
-
 bool ReplicateSums::AnyLight(Side side) const
 {
   const SideSums& sums = this->*side;
@@ -298,7 +271,10 @@ bool ReplicateSums::AreFull() const
       std::any_of(replicate.cells.all.begin(), replicate.cells.all.end(),
         [](std::uint32_t count) { return count >= CellCounts::Full; });
   }
-  return full;
+  const std::vector<std::uint32_t>& byLamp = this->layers.lampCells.all;
+  return full ||
+    std::any_of(
+      byLamp.begin(), byLamp.end(), [](std::uint32_t count) { return count >= CellCounts::Full; });
 }
 
 } // namespace PhotonTransport

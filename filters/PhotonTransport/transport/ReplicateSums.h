@@ -28,8 +28,9 @@ struct ReplicateSums
   SideSums front;
   SideSums back;                            ///< Without vertices unless the back is registered.
   std::vector<IlluminationSums> replicates; ///< Without vertices and layers.
-  /// Of all replicates together, which takes less memory and tells no standard errors.
-  LightLayers layers;
+  LightLayers layers;                       ///< Of all replicates together.
+  /// [replicate][vertex][channel] The light by colour; empty without colour.
+  std::vector<std::vector<FixedPoint>> colours;
 
   PhotonBalance Balance() const;
   /// [source] Summed over the replicates.
@@ -50,6 +51,11 @@ struct ReplicateSums
   /// See IlluminationRun.
   std::vector<std::array<double, 3>> FrontByColour(
     double flux, const std::vector<double>& areas) const;
+  /// The standard errors of these, lx: as Map has that of all light. Where a vertex has few hits,
+  /// a colour has that of FewHits times the root mean square of its shares in the hits, and in two
+  /// more that are as those of all vertices.
+  std::vector<std::array<double, 3>> ColourErrors(
+    double flux, const std::vector<double>& areas, const std::vector<float>& startWeights) const;
   std::vector<double> FrontOfLamp(
     std::size_t lamp, double flux, const std::vector<double>& areas) const;
 
@@ -60,8 +66,12 @@ struct ReplicateSums
   /// times as many photons can't overflow it, and a round at most triples them.
   bool AreFull() const;
 
+  std::vector<double> PhotonsOfReplicates() const;
   /// Whether two replicates or more have photons, so that they can tell a spread.
   bool CanTellSpread() const;
+
+private:
+  void AddColours(std::size_t replicate, const LightLayers& ofReplicate);
 };
 
 } // namespace PhotonTransport

@@ -54,10 +54,11 @@ struct WalkSettings
   const OpeningPhotons* openings = nullptr;
 };
 
-/// What a photon does at the end of a segment, by its material.
+/// What a photon does at the end of a segment, by its material. It takes the colour that this gives
+/// it.
 template <Walk WalkKind>
 Departure Depart(
-  const Flight& photon, const Ray& ray, const Hit& hit, bool front, const WalkSettings& settings)
+  Flight& photon, const Ray& ray, const Hit& hit, bool front, const WalkSettings& settings)
 {
   const Facet& facet = settings.scene.Facets()[hit.facet];
   const ScatteringSample sample = photon.numbers.At(photon.order);
@@ -75,8 +76,8 @@ Departure Depart(
   else
   {
     const Roulette& material = settings.materials.roulettes[settings.materials.ofFacet[hit.facet]];
-    return Scatter<CompiledIn(WalkKind)>(
-      material, photon.origin.channel, sample, ray.direction, normal, front);
+    return ScatterPhoton<CompiledIn(WalkKind)>(
+      material, photon.origin, sample, ray.direction, normal, front);
   }
 }
 
@@ -132,7 +133,7 @@ void Keep(const Flight& photon, const Ray& ray, const Hit& hit, bool front, cons
   if constexpr (KeepsHits<OnHit>)
   {
     onHit.Keep({ photon.numbers.photonIndex, hit.facet, hit.barycentric, ray.direction,
-      photon.order, photon.origin.source, photon.origin.channel, front });
+      photon.order, photon.origin.source, photon.origin.shares, front });
   }
 }
 
@@ -256,8 +257,7 @@ void WalkPhotons(const WalkSettings& settings, std::uint64_t first, std::uint64_
     {
       const Emission emission = settings.source.Emit(sample);
       rays[flying] = emission.ray;
-      photons[flying++] = { sample.Scatterings(), 0,
-        { emission.source, static_cast<std::uint16_t>(emission.channel) } };
+      photons[flying++] = { sample.Scatterings(), 0, OriginOf(emission) };
       ++balances[emission.source].emitted;
     }
     if (settings.openings)
