@@ -18,7 +18,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 WORKER = HERE / "rank_scenes.py"
-TIMEOUT = 120  # s; a rank that waits for ever would
+TIMEOUT = 300  # s; far above what a busy machine takes, since only a rank that waits for ever reaches it
 
 
 def start(ranks, *arguments):

@@ -36,8 +36,8 @@
  *  - Illuminance_<name> (lx): from one luminaire, with LampContributions. A luminaire without a
  *    name, or whose name is taken, gets one, such as "Lamp 2" or "Spot (2)".
  *  - StandardErrorRGB (lx, 3 components), StandardError_<name> (lx): the noise of these two, with
- *    PHOTON_TRACING, from that of Illuminance and the part's share in the light (PartErrors.h),
- *    rather too large than too small.
+ *    PHOTON_TRACING: that of colours as StandardError is found, that of a luminaire from
+ *    StandardError and its share in the light (PartErrors.h), rather too large than too small.
  *  - IlluminanceBack, StandardErrorBack (lx): what arrives on the back, with RegisterBackSide.
  *  - PhotonHits (vtkIdType), with PHOTON_TRACING: photons that hit the front of a facet around the
  *    point.

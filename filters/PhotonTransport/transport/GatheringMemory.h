@@ -12,7 +12,7 @@ namespace PhotonTransport
 
 /// Bytes that Method::FinalGathering takes beyond what Method::PhotonTracing does: what counts
 /// photons by cells, the exitance of the cells and the maps of the second pass; 0 in the latter.
-/// See MemoryNeed. @param colour Whether photons carry a channel each.
+/// See MemoryNeed. @param colour Whether photons have colours.
 std::uint64_t GatheringMemory(
   const Surface& surface, const Lighting& lighting, const TraceSettings& settings, bool colour);
 

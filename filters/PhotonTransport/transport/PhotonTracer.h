@@ -53,7 +53,7 @@ public:
   bool Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
     const std::function<void(IlluminationSums& part)>& add, const Monitor& monitor = {});
 
-  /// Its layers are channels, where the scene calls for colour, and lamps, where the settings ask
+  /// Its layers are colours, where the scene calls for them, and lamps, where the settings ask
   /// for them apart.
   IlluminationSums EmptySums() const;
   double Flux() const;
