@@ -33,9 +33,9 @@ Material RandomMaterial(RandomNumbers& random)
 {
   Material material;
   constexpr float Each = 0.2f; // five of them are at most 1
-  for (const auto share : { &Material::diffuseReflectance, &Material::specularReflectance,
-         &Material::glossyReflectance, &Material::diffuseTransmittance,
-         &Material::clearTransmittance })
+  for (const auto share :
+    { &Material::diffuseReflectance, &Material::specularReflectance, &Material::glossyReflectance,
+      &Material::diffuseTransmittance, &Material::clearTransmittance })
   {
     material.*share = Each * RandomColour(random);
   }

@@ -134,8 +134,7 @@ TEST_P(PartErrors, AreWhatMapsOfOtherSeedsDifferBy)
 }
 
 INSTANTIATE_TEST_SUITE_P(IlluminationMap, PartErrors,
-  ::testing::Combine(
-    ::testing::Values(vtkIlluminationMap::SOBOL, vtkIlluminationMap::RANDOM),
+  ::testing::Combine(::testing::Values(vtkIlluminationMap::SOBOL, vtkIlluminationMap::RANDOM),
     ::testing::Values(20000, 1500)));
 
 TEST(PartError, HasItsLimits)
