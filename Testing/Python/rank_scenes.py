@@ -183,6 +183,24 @@ def continued(threads, how):
     yield filters
 
 
+def relit(threads, how):
+    """Lamps are dimmed after tracing, the surface that shines too."""
+    own = lamps()
+    filters = illumination_map(piece(*room(), how), own, threads, Method=0, Photons=20000, **ALL)
+    filters.Update()
+    seconds = filters.GetOutputDataObject(0).GetFieldData().GetArray("Seconds").GetTuple1(0)
+    for luminaire, factor in zip(own, (0.0, 0.3, 0.5)):
+        if luminaire.GetFieldData().GetArray("LuminaireDimming"):
+            luminaire.GetFieldData().GetArray("LuminaireDimming").SetTuple1(0, factor)
+        elif luminaire.GetCellData().GetArray("Exitance"):
+            exitance = vtk_to_numpy(luminaire.GetCellData().GetArray("Exitance"))
+            exitance *= factor
+        luminaire.Modified()
+    filters.Update()
+    assert filters.GetOutputDataObject(0).GetFieldData().GetArray("Seconds").GetTuple1(0) == seconds
+    yield filters
+
+
 def target(threads, how):
     yield illumination_map(piece(*room(), how), (), threads, Method=0, Photons=10**7, TargetRelativeError=0.15)
 
@@ -263,7 +281,7 @@ def sensors(threads, how):
         yield result
 
 
-SAME = (photons, continued, target, gathered, curved, adaptive, smoothed, blocks, refined, appearance, sensors)
+SAME = (photons, continued, relit, target, gathered, curved, adaptive, smoothed, blocks, refined, appearance, sensors)
 
 
 def surfaces(data):

@@ -176,10 +176,6 @@ void vtkIlluminationMap::Execute(
   const SceneBlocks blocks(vtkDataObject::GetData(outputs), description);
   const PhotonTransport::Lighting lighting = this->MakeLighting(luminaires);
   Origins origins{ this->RunChanged, LatestChange(input) };
-  for (int i = 0; i < this->GetNumberOfInputConnections(1); ++i)
-  {
-    origins.push_back(LatestChange(this->GetInputDataObject(1, i)));
-  }
   try
   {
     this->StopBackground();
@@ -192,7 +188,7 @@ void vtkIlluminationMap::Execute(
     const std::uint64_t need =
       this->PrepareRun(blocks, lighting, std::move(origins), rules.photons);
     this->Kept->Run.SetRegion(region);
-    const PhotonTransport::StopReason reason = this->AdvanceRun(rules);
+    const PhotonTransport::StopReason reason = this->AdvanceRun(rules, region);
     this->WriteMap(blocks, lighting, reason, outputs);
     this->WritePhotons(blocks, lighting, outputs);
     if (reason == PhotonTransport::StopReason::Paused)
@@ -225,8 +221,11 @@ std::uint64_t vtkIlluminationMap::PrepareRun(const SceneBlocks& blocks,
   const std::uint64_t forOutputs = forGroups +
     static_cast<std::uint64_t>(this->MaximumPhotons) * PhotonTransport::StoredPhotonNeed;
   const std::uint64_t memoryLimit = this->MemoryLimitInBytes();
+  const bool storesPhotons = this->MaximumPhotons > 0 || this->PhotonPaths > 0;
   const bool goesOn = this->Kept && this->Kept->MadeFrom == origins &&
-    this->Kept->Run.CanGoOnTo(photons) && !this->Kept->IsCoarseForAnother(this->MemoryLimit);
+    this->Kept->Run.CanGoOnTo(photons) && !this->Kept->IsCoarseForAnother(this->MemoryLimit) &&
+    this->Kept->Run.Relight(lighting) &&
+    !(storesPhotons && this->Kept->Run.HasOtherColoursThanPhotons());
   if (this->GetRanks().Any(!goesOn)) // ranks may each have their own reason
   {
     this->Kept.reset(); // first, so that two never share the memory

@@ -242,7 +242,7 @@ public:
    * Luminous flux of the lamp, lm, >= 0. Parallel light and emitting facets do not use it. Default:
    * 1000.
    */
-  vtkSetMacro(LuminousFlux, double);
+  virtual void SetLuminousFlux(double flux) { this->SetAndKeepRun(this->LuminousFlux, flux); }
   vtkGetMacro(LuminousFlux, double);
   ///@}
 
@@ -250,7 +250,10 @@ public:
   /**
    * Illuminance that parallel light gives a surface perpendicular to it, lx, >= 0. Default: 1000.
    */
-  vtkSetMacro(ParallelIlluminance, double);
+  virtual void SetParallelIlluminance(double lux)
+  {
+    this->SetAndKeepRun(this->ParallelIlluminance, lux);
+  }
   vtkGetMacro(ParallelIlluminance, double);
   ///@}
 
@@ -798,12 +801,14 @@ private:
   /// Sets them as they were when a map was made. @return Whether the field data hold any.
   bool RecallSettings(vtkFieldData* output, bool& ownLamp);
 
-  /// Builds the scene and a run on it, unless the kept run can go on to so many photons.
+  /// Builds the scene and a run on it, unless the kept run can go on to so many photons and be that
+  /// of the lighting.
   /// @param origins When data and filter last changed. @return Bytes that the run takes at most.
   std::uint64_t PrepareRun(const Illumination::SceneBlocks& blocks,
     const PhotonTransport::Lighting& lighting, std::vector<vtkMTimeType> origins,
     std::uint64_t photons);
-  PhotonTransport::StopReason AdvanceRun(const PhotonTransport::StopRules& rules);
+  PhotonTransport::StopReason AdvanceRun(
+    const PhotonTransport::StopRules& rules, const std::vector<double>& region);
   void StartBackground(PhotonTransport::StopRules rules);
   void StopBackground();
   /// The map of the kept run on a refined surface; nothing if that is not asked for.

@@ -34,10 +34,19 @@ bool vtkIlluminationMap::GetNeedsUpdate()
   return true;
 }
 
-/// Advances the kept run to its end, or to the next map that is shown.
-StopReason vtkIlluminationMap::AdvanceRun(const PhotonTransport::StopRules& rules)
+/// Advances the kept run to its end, or to the next map that is shown. A run that has ended by the
+/// same rules and is relit stays as it is, whatever error it has now.
+StopReason vtkIlluminationMap::AdvanceRun(
+  const PhotonTransport::StopRules& rules, const std::vector<double>& region)
 {
   PhotonTransport::IlluminationRun& run = this->Kept->Run;
+  const std::optional<EndedRun>& ended = this->Kept->Ended;
+  const bool asksForNothing = ended && run.IsRelit() && ended->IsBy(rules, region);
+  if (!this->GetRanks().Any(!asksForNothing))
+  {
+    run.ShareWith(this->GetRanks());
+    return ended->reason;
+  }
   PhotonTransport::StopRules next = rules;
   // Ranks would have to agree on when to look.
   const bool isLive = this->Progressive && this->IsWatched && !this->GetRanks().AreSeveral();
@@ -53,8 +62,12 @@ StopReason vtkIlluminationMap::AdvanceRun(const PhotonTransport::StopRules& rule
         (progress.isGathering ? "Gathering light, " : "Tracing photons, ") +
           std::to_string(std::lround(progress.secondsLeft)) + " s left");
     });
-  return reason == StopReason::PhotonLimit && next.photons < rules.photons ? StopReason::Paused
-                                                                           : reason;
+  if (reason == StopReason::PhotonLimit && next.photons < rules.photons)
+  {
+    return StopReason::Paused;
+  }
+  this->Kept->Ended = { rules, region, reason };
+  return reason;
 }
 
 /// Goes on to twice the photons.

@@ -36,6 +36,10 @@ constexpr const char* TooFewCells = "the refinement ended at the greatest number
                                     "MaximumCells or what fits the memory: some "
                                     "edges miss the light by more than RefinementTolerance";
 
+constexpr const char* Relit =
+  "the map was relit without tracing: its photons were traced for lamps without Dimming, or with "
+  "other fluxes or colours than the lamps have now";
+
 } // namespace
 
 void vtkIlluminationMap::WriteMap(const SceneBlocks& blocks,
@@ -51,6 +55,10 @@ void vtkIlluminationMap::WriteMap(const SceneBlocks& blocks,
     const std::vector<std::string> onOpenings =
       OpeningLines(this->Kept->Openings, this->Kept->Scene, PhotonTransport::HasSky(lighting));
     notes.insert(notes.end(), onOpenings.begin(), onOpenings.end());
+  }
+  if (run.IsRelit())
+  {
+    notes.emplace_back(Relit);
   }
   notes.insert(notes.end(), missing.notes.begin(), missing.notes.end());
   const std::vector<std::string> onFiles = NotesOn(lighting);

@@ -111,25 +111,25 @@ double SizeOf(vtkLuminaireSource* source, int part)
   return size;
 }
 
-double Dimmed(double amount, const char* property, vtkLuminaireSource* source)
+/// Refuses amounts that Dimming, which is applied later, would make infinite.
+double Dimmable(double amount, const char* property, vtkLuminaireSource* source)
 {
   const double dimming = Amount(source->GetDimming(), "Dimming");
-  const double dimmed = Amount(amount, property) * dimming;
-  if (!std::isfinite(dimmed))
+  if (!std::isfinite(Amount(amount, property) * dimming))
   {
     Refuse(property, Text(amount), ("finite times Dimming, " + Text(dimming)).c_str());
   }
-  return dimmed;
+  return amount;
 }
 
 double FluxOf(vtkLuminaireSource* source)
 {
-  return Dimmed(source->GetLuminousFlux(), "LuminousFlux", source);
+  return Dimmable(source->GetLuminousFlux(), "LuminousFlux", source);
 }
 
 double IlluminanceOf(vtkLuminaireSource* source)
 {
-  return Dimmed(source->GetIlluminance(), "Illuminance", source);
+  return Dimmable(source->GetIlluminance(), "Illuminance", source);
 }
 
 double SpotHalfAngleOf(vtkLuminaireSource* source)
@@ -202,7 +202,7 @@ Lamp LampOf(vtkLuminaireSource* s)
         { "SkyType", [s](int) { return SkyTypeOf(s); } },
         { "SunDirection", [s](int c) { return SunOf(s)[c]; } },
         { "LuminaireRotation", [s](int) { return Finite(s->GetRotation(), "Rotation"); } },
-        { "PhotometricScale", [s](int) { return Amount(s->GetDimming(), "Dimming"); } } },
+        { "PhotometricScale", [](int) { return 1.0; } } },
       [s] { return SolidOf(s); }));
 }
 
@@ -216,6 +216,17 @@ Colour ColourOf(vtkLuminaireSource* source)
     Refuse("LightColour", Text(v), "0 or more, finite, and not all 0");
   }
   return Colour(glm::dvec3(v[0], v[1], v[2]) / largest);
+}
+
+/// As the glyph shows it: a dome has the luminances after dimming.
+Lamp ShownLamp(const Luminaire& luminaire)
+{
+  Lamp lamp = luminaire.lamp;
+  if (auto* sky = std::get_if<CieSky>(&lamp))
+  {
+    sky->horizontalIlluminance *= luminaire.dimming;
+  }
+  return lamp;
 }
 
 } // namespace
@@ -233,7 +244,7 @@ int vtkLuminaireSource::RequestData(
   {
     const LuminaireGlyph glyph = this->MakeGlyph();
     const PhotonTransport::Luminaire luminaire = this->MakeLuminaire();
-    out->ShallowCopy(LuminaireGeometry(luminaire.lamp, glyph));
+    out->ShallowCopy(LuminaireGeometry(ShownLamp(luminaire), glyph));
     AddLuminaire(out->GetFieldData(), luminaire);
     RememberPlace(out);
   }
@@ -248,7 +259,7 @@ int vtkLuminaireSource::RequestData(
 
 Luminaire vtkLuminaireSource::MakeLuminaire()
 {
-  return { LampOf(this), this->LuminaireName, ColourOf(this) };
+  return { LampOf(this), this->LuminaireName, ColourOf(this), Amount(this->Dimming, "Dimming") };
 }
 
 LuminaireGlyph vtkLuminaireSource::MakeGlyph()

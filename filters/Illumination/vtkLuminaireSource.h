@@ -4,15 +4,16 @@
  * @brief   a lamp, the sun or a sky to light a scene with
  *
  * The output shows the lamp, in the data's length unit, and carries its description as field data,
- * for filters that light scenes: LuminaireType and LuminaireName (text), LuminaireColour, and,
- * where the type has them, LuminairePosition, LuminaireDirection, LuminaireSize, LuminousFlux (lm),
- * LuminaireIlluminance (lx), SpotHalfAngle (degrees), SpotExponent, SkyUp, SkyType, SkyLuminance
- * (cd/m^2), SkyIsWholeSphere, SunDirection (from the ground to the sun), LuminaireRotation
- * (degrees), and the photometric solid: PhotometricType (C, B or A), PhotometricPolar and
- * PhotometricAzimuth (degrees), PhotometricCandela (cd, polar angles of the first azimuth first),
- * PhotometricScale (a factor on them), PhotometricRatedFlux (lm), PhotometricInputPower (W),
- * PhotometricOpening (width, length, height, m), PhotometricDescription, PhotometricNotes (what the
- * reader of the file assumed).
+ * for filters that light scenes: LuminaireType and LuminaireName (text), LuminaireColour,
+ * LuminaireDimming (a factor on all that follows), and, where the type has them, LuminairePosition,
+ * LuminaireDirection, LuminaireSize, LuminousFlux (lm), LuminaireIlluminance (lx), SpotHalfAngle
+ * (degrees), SpotExponent, SkyUp, SkyType, SkyLuminance (cd/m^2), SkyIsWholeSphere, SunDirection
+ * (from the ground to the sun), LuminaireRotation (degrees), and the photometric solid:
+ * PhotometricType (C, B or A), PhotometricPolar and PhotometricAzimuth (degrees),
+ * PhotometricCandela (cd, polar angles of the first azimuth first), PhotometricScale (a factor on
+ * them, 1), PhotometricRatedFlux (lm), PhotometricInputPower (W), PhotometricOpening (width,
+ * length, height, m), PhotometricDescription, PhotometricNotes (what the reader of the file
+ * assumed).
  *
  * The lamp's place, axes and size travel with the output's points. The point array LuminairePoint
  * (where each point was made, and a number that tells the lamp from others) and the field array
@@ -196,8 +197,9 @@ public:
 
   ///@{
   /**
-   * Factor on LuminousFlux, Illuminance and the intensities of a photometric file, >= 0.
-   * Default: 1.
+   * Factor on LuminousFlux, Illuminance and the intensities of a photometric file, >= 0; no unit.
+   * Where vtkIlluminationMap keeps lamps apart (LampContributions), another factor changes its map
+   * without tracing; also from 0, since the lamp is traced as if undimmed. Default: 1.
    */
   vtkSetMacro(Dimming, double);
   vtkGetMacro(Dimming, double);

@@ -42,6 +42,13 @@ void Pass(const Fields& fields, Luminaire& luminaire)
     fields.Refuse("LuminaireColour", text.str());
   }
   luminaire.colour = Colour(colour);
+  fields.IfGiven("LuminaireDimming", luminaire.dimming);
+  if (luminaire.dimming < 0.0)
+  {
+    std::ostringstream text;
+    text << "is " << luminaire.dimming << "; it must be 0 or more";
+    fields.Refuse("LuminaireDimming", text.str());
+  }
   std::visit([&](auto& lamp) { lamp.Describe(fields); }, luminaire.lamp);
 }
 

@@ -15,8 +15,8 @@ namespace Illumination
 {
 
 /// Adds field arrays that hold a luminaire: LuminaireType and LuminaireName (text), LuminaireColour
-/// (3 components) and what its type needs. Throws InputError for emitting surfaces, which are not
-/// described by field data.
+/// (3 components), LuminaireDimming (a factor on its light) and what its type needs. Throws
+/// InputError for emitting surfaces, which are not described by field data.
 void AddLuminaire(vtkFieldData* fields, const PhotonTransport::Luminaire& luminaire);
 
 /// Adds the field array LuminaireError, which says why there is no description. ReadLuminaire

@@ -8,10 +8,12 @@
 #include "PhotonTransport/scene/Surface.h"
 #include "PhotonTransport/transport/IlluminationRun.h"
 #include "PhotonTransport/transport/SkyOpenings.h"
+#include "PhotonTransport/transport/StopRules.h"
 
 #include "vtkType.h"
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,8 +23,24 @@ namespace Illumination
 /// When data and filter last changed; no two states of any objects have the same time.
 using Origins = std::vector<vtkMTimeType>;
 
+/// How a run ended: by which rules, for which region, and why.
+struct EndedRun
+{
+  PhotonTransport::StopRules rules;
+  std::vector<double> region; ///< See AccuracyRegion.
+  PhotonTransport::StopReason reason;
+
+  /// Whether these rules ask for nothing else.
+  bool IsBy(const PhotonTransport::StopRules& asked, const std::vector<double>& wanted) const
+  {
+    return this->rules.photons == asked.photons && this->rules.seconds == asked.seconds &&
+      this->rules.relativeError == asked.relativeError &&
+      this->rules.countFacetError == asked.countFacetError && this->region == wanted;
+  }
+};
+
 /// A run that the next execution of a filter may go on with, and what its map depends on but for
-/// the number of photons.
+/// the number of photons and the lighting, which the run itself compares.
 struct KeptRun
 {
   KeptRun(const PhotonTransport::Surface& surface, const PhotonTransport::Lighting& lighting,
@@ -41,9 +59,10 @@ struct KeptRun
   PhotonTransport::IlluminationRun Run;
   PhotonTransport::Surface Curved; ///< What is traced where it is not the surface of the blocks.
   Origins MadeFrom;
-  std::uint64_t MemoryNeed; ///< Bytes, without group means.
-  double MemoryLimit = 0.0; ///< The property as it was, GiB.
-  BackgroundRun Background; ///< Last, since it uses the others.
+  std::uint64_t MemoryNeed;      ///< Bytes, without group means.
+  std::optional<EndedRun> Ended; ///< How it ended last.
+  double MemoryLimit = 0.0;      ///< The property as it was, GiB.
+  BackgroundRun Background;      ///< Last, since it uses the others.
 
   /// Whether another limit may allow more parts of curved patches.
   bool IsCoarseForAnother(double memoryLimit) const

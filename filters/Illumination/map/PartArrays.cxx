@@ -4,7 +4,7 @@
 #include "Illumination/pipeline/FieldArrays.h"
 
 #include "PhotonTransport/lights/Lamp.h"
-#include "PhotonTransport/statistics/PartErrors.h"
+#include "PhotonTransport/registration/IlluminationMap.h"
 #include "PhotonTransport/transport/IlluminationRun.h"
 #include "PhotonTransport/transport/RefinedMap.h"
 
@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <string>
 
 namespace Illumination
@@ -46,6 +47,21 @@ void AddColourErrors(const PointMapping& mapping, const std::vector<ByColour>& o
   AddArray(mapping.PointArrays(), "StandardErrorRGB", errors);
 }
 
+/// A lamp's light with its own errors.
+void AddLamp(
+  const std::vector<PointMapping>& mappings, const IlluminationMap& map, const std::string& name)
+{
+  std::vector<double> illuminance(map.direct.size());
+  std::transform(
+    map.direct.begin(), map.direct.end(), map.indirect.begin(), illuminance.begin(), std::plus<>());
+  AddMean(mappings, "Illuminance_" + name, illuminance);
+  for (const PointMapping& mapping : mappings)
+  {
+    AddArray(mapping.PointArrays(), ("StandardError_" + name).c_str(),
+      mapping.MeanError(map.standardError));
+  }
+}
+
 } // namespace
 
 void AddParts(const std::vector<PointMapping>& mappings,
@@ -65,15 +81,13 @@ void AddParts(const std::vector<PointMapping>& mappings,
   for (std::size_t lamp = 0; lighting && lamp < lighting->luminaires.size(); ++lamp)
   {
     const std::string name = NameOf(lighting->luminaires[lamp]);
-    const std::vector<double> ofLamp = run.FrontOfLamp(lamp);
-    AddMean(mappings, "Illuminance_" + name, ofLamp);
-    const std::vector<double> errors = byPhotons
-      ? PhotonTransport::PartErrors(front, [&](std::size_t vertex) { return ofLamp[vertex]; })
-      : std::vector<double>();
-    for (std::size_t block = 0; byPhotons && block < mappings.size(); ++block)
+    if (byPhotons)
     {
-      AddArray(mappings[block].PointArrays(), ("StandardError_" + name).c_str(),
-        mappings[block].MeanError(errors));
+      AddLamp(mappings, run.MapOfLamp(lamp), name);
+    }
+    else
+    {
+      AddMean(mappings, "Illuminance_" + name, run.FrontOfLamp(lamp));
     }
   }
 }

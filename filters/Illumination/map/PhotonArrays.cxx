@@ -120,10 +120,11 @@ private:
 };
 
 void AddHitArrays(
-  const PhotonSource& source, const std::vector<PhotonHit>& hits, double flux, vtkPolyData* output)
+  const PhotonSource& source, const PhotonTransport::StoredPhotons& stored, vtkPolyData* output)
 {
-  const std::vector<float>& weights = source.run.StartWeights();
-  const auto fluxOf = [&](const PhotonHit& hit) { return flux * double{ weights[hit.source] }; };
+  const std::vector<PhotonHit>& hits = stored.hits;
+  const auto fluxOf = [&](const PhotonHit& hit)
+  { return source.run.FluxOfPhoton(hit.source, stored.photons); };
   AddHitArray<vtkDoubleArray>(
     output, "Flux", 1, hits, [&](const PhotonHit& hit, double* value) { *value = fluxOf(hit); });
   AddHitArray<vtkFloatArray>(output, "Direction", 3, hits,
@@ -218,9 +219,7 @@ void FillPhotons(const PhotonSource& source, std::uint64_t most,
   }
   output->SetPoints(points);
   AddVertices(output);
-  const double flux =
-    stored.photons > 0 ? source.run.Flux() / static_cast<double>(stored.photons) : 0.0;
-  AddHitArrays(source, stored.hits, flux, output);
+  AddHitArrays(source, stored, output);
   AddArray(output->GetFieldData(), "PhotonsFollowed", std::vector<std::uint64_t>{ stored.photons });
   AddArray(output->GetFieldData(), "LuminaireNames", NamesOf(source.lighting));
 }

@@ -78,6 +78,7 @@ public:
     (*this)(name, static_cast<double>(number));
   }
   void operator()(const char* name, bool is) const { (*this)(name, is ? 1.0 : 0.0); }
+  void IfGiven(const char* name, double number) const { (*this)(name, number); }
 };
 
 /// Takes each value from the field array of its name. Throws InputError for an array that is
@@ -152,6 +153,14 @@ public:
     number = static_cast<int>(read);
   }
   void operator()(const char* name, bool& is) const { is = this->Numbers(name, 1).front() != 0.0; }
+  /// Leaves the number as it is where the array is missing, as in data of earlier versions.
+  void IfGiven(const char* name, double& number) const
+  {
+    if (this->Fields->GetAbstractArray(name))
+    {
+      (*this)(name, number);
+    }
+  }
 
 private:
   vtkAbstractArray* Found(const char* name) const

@@ -32,16 +32,27 @@ void RequireColour(const Colour& colour)
   }
 }
 
+void RequireDimming(double dimming)
+{
+  if (!(dimming >= 0.0) || !std::isfinite(dimming))
+  {
+    throw InvalidInput(InvalidInput::Where::LampSettings, 0,
+      "dimming " + std::to_string(dimming) + " must be finite and >= 0");
+  }
+}
+
 Prepared<LampEmitter> PreparedLamp(const Luminaire& luminaire, const Scene& scene)
 {
   try
   {
     RequireColour(luminaire.colour);
+    RequireDimming(luminaire.dimming);
     return std::visit(
       [&](const auto& lamp)
       {
         auto prepared = lamp.Prepare(scene);
-        return Prepared<LampEmitter>{ std::move(prepared.emitter), prepared.flux };
+        return Prepared<LampEmitter>{ std::move(prepared.emitter),
+          luminaire.dimming * prepared.flux };
       },
       luminaire.lamp);
   }

@@ -64,6 +64,9 @@ struct Luminaire
   /// The colour of the light, in any scale: it does not change the flux. The scene's own facets do
   /// not use it, as their exitance is a colour.
   Colour colour{ 1.0f };
+  /// Factor on the light, >= 0. A run that keeps lamps apart traces with 1 and applies it to what
+  /// was traced.
+  double dimming = 1.0;
 };
 
 /// All the light of a scene. At least one lamp.

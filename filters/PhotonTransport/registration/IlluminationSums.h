@@ -67,7 +67,7 @@ struct alignas(32) VertexSums
   }
 };
 
-/// Parts of the light on the front that are kept apart, by colour and by lamp.
+/// Parts of the light on the front that are kept apart, by colour.
 struct LightLayers
 {
   static constexpr std::size_t Channels = 3;
@@ -76,30 +76,21 @@ struct LightLayers
   static constexpr std::size_t ColourLayers = 2 * Channels;
 
   LightLayers() = default;
-  /// @param lamps 0 keeps no lamps apart.
-  LightLayers(std::size_t vertices, bool colour, std::size_t lamps)
-    : firstLamp(colour ? ColourLayers : 0)
-    , perVertex(firstLamp + lamps)
-    , sums(vertices * perVertex, 0)
+  /// @param slots See IlluminationSums.
+  LightLayers(std::size_t slots, bool colour)
+    : perSlot(colour ? ColourLayers : 0)
+    , sums(slots * perSlot, 0)
   {
   }
 
-  double Weights(std::size_t vertex, std::size_t layer) const
+  double Weights(std::size_t slot, std::size_t layer) const
   {
-    return FromFixedPoint(this->sums[vertex * this->perVertex + layer]);
+    return FromFixedPoint(this->sums[slot * this->perSlot + layer]);
   }
-  bool HasColour() const { return this->firstLamp > 0; }
-  bool HasLamps() const { return this->perVertex > this->firstLamp; }
-  /// See Emitter.
-  std::size_t LampOf(std::uint32_t source) const
-  {
-    const std::size_t lamps = this->perVertex - this->firstLamp;
-    return source < lamps ? source : source % lamps;
-  }
+  bool HasColour() const { return this->perSlot > 0; }
 
-  std::size_t firstLamp = 0; ///< Layers of colour, if there are any, come before the lamps.
-  std::size_t perVertex = 0;
-  std::vector<FixedPoint> sums; ///< [vertex][layer]
+  std::size_t perSlot = 0;
+  std::vector<FixedPoint> sums; ///< [slot][layer]
   LampCellCounts lampCells;     ///< Empty unless light is counted by cells and lamps.
 };
 
@@ -111,14 +102,17 @@ inline double IlluminanceOf(double flux, double area, double weights, double pho
   return area > 0.0 && photons > 0.0 ? flux / area * weights / photons : 0.0;
 }
 
-/// All that is kept of a set of photons. The sums of disjoint sets add up.
+/// All that is kept of a set of photons. The sums of disjoint sets add up. The light of a vertex is
+/// in a slot, or in one slot for each lamp where lamps are kept apart: all vertices of the first
+/// lamp come first.
 struct IlluminationSums
 {
   IlluminationSums() = default;
-  IlluminationSums(
-    std::size_t vertices, bool backSide, std::size_t sources = 1, LightLayers ofLight = {})
-    : front(vertices)
-    , back(backSide ? vertices : 0)
+  IlluminationSums(std::size_t vertices, bool backSide, std::size_t sources = 1,
+    LightLayers ofLight = {}, std::size_t lampsApart = 1)
+    : lamps(lampsApart)
+    , front(vertices * lampsApart)
+    , back(backSide ? vertices * lampsApart : 0)
     , layers(std::move(ofLight))
     , cutByWeightBound(sources)
     , balances(sources)
@@ -126,8 +120,9 @@ struct IlluminationSums
   {
   }
 
-  std::vector<VertexSums> front;
-  std::vector<VertexSums> back; ///< Empty unless the back is registered.
+  std::size_t lamps = 1;         ///< That are kept apart.
+  std::vector<VertexSums> front; ///< [slot]
+  std::vector<VertexSums> back;  ///< [slot] Empty unless the back is registered.
   LightLayers layers;
   CellCounts cells; ///< Empty unless light is counted by cells.
   /// [source] Weight that the bound cut off, coarse and without the start weight, over all vertices

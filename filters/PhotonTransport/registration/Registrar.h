@@ -138,6 +138,8 @@ public:
     , Sums(sums)
     , Layers(sums.layers)
     , StartWeights(startWeights)
+    , Lamps(sums.lamps)
+    , Vertices(sums.front.size() / sums.lamps)
   {
   }
 
@@ -148,7 +150,7 @@ public:
     if (front)
     {
       this->Register(
-        hit, -ray.direction, photon, this->Sums.front, this->Layers.perVertex > 0, corners);
+        hit, -ray.direction, photon, this->Sums.front, this->Layers.HasColour(), corners);
     }
     else if constexpr (BackSide)
     {
@@ -175,8 +177,11 @@ public:
 
 private:
   void Register(const Hit& hit, const glm::vec3& towards, const PhotonOrigin& photon,
-    std::vector<VertexSums>& map, bool layers, unsigned corners) const
+    std::vector<VertexSums>& sums, bool layers, unsigned corners) const
   {
+    // One comparison is all that lamps cost where they are not kept apart.
+    const std::size_t first = this->Lamps > 1 ? this->FirstSlotOf(photon) : 0;
+    VertexSums* const map = sums.data() + first;
     const RegisteredPlace place = this->LitScene.PlaceOnGiven(hit);
     const glm::vec3 weights = HitWeights<RegistrationKind>(
       this->LitScene, place, this->LitScene.Facets()[hit.facet].normal, towards);
@@ -205,28 +210,29 @@ private:
     }
     if (layers)
     {
-      this->AddToLayers(place.vertices, photon, rounded);
+      this->AddToLayers(first, place.vertices, photon, rounded);
     }
   }
 
-  void AddToLayers(
-    const glm::uvec3& vertices, const PhotonOrigin& photon, const FixedPoint (&weights)[3]) const
+  /// Of the photon's lamp; see Emitter.
+  std::size_t FirstSlotOf(const PhotonOrigin& photon) const
+  {
+    const std::size_t lamp =
+      photon.source < this->Lamps ? photon.source : photon.source % this->Lamps;
+    return lamp * this->Vertices;
+  }
+
+  void AddToLayers(std::size_t first, const glm::uvec3& vertices, const PhotonOrigin& photon,
+    const FixedPoint (&weights)[3]) const
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      FixedPoint* own = &this->Layers.sums[vertices[corner] * this->Layers.perVertex];
-      if (this->Layers.HasColour())
+      FixedPoint* own = &this->Layers.sums[(first + vertices[corner]) * this->Layers.perSlot];
+      for (std::size_t c = 0; c < LightLayers::Channels; ++c)
       {
-        for (std::size_t c = 0; c < LightLayers::Channels; ++c)
-        {
-          const float share = photon.shares[static_cast<int>(c)];
-          own[c] += ShareOf(weights[corner], share);
-          own[LightLayers::Channels + c] += ShareOf(weights[corner], share * share);
-        }
-      }
-      if (this->Layers.HasLamps())
-      {
-        own[this->Layers.firstLamp + this->Layers.LampOf(photon.source)] += weights[corner];
+        const float share = photon.shares[static_cast<int>(c)];
+        own[c] += ShareOf(weights[corner], share);
+        own[LightLayers::Channels + c] += ShareOf(weights[corner], share * share);
       }
     }
   }
@@ -236,6 +242,8 @@ private:
   IlluminationSums& Sums;
   LightLayers& Layers;
   const float* StartWeights;
+  std::size_t Lamps;
+  std::size_t Vertices; ///< Slots of a lamp.
 };
 
 } // namespace PhotonTransport

@@ -61,14 +61,29 @@ public:
     }
     const double weight = this->MeanWeight * *start;
     n = start == this->StartWeights.begin() ? n : std::min(n, sum / weight);
-    const double trust = this->Replicates ? std::clamp((Many - n) / (Many - Few), 0.0, 1.0) : 1.0;
-    const double meanSquareWeight = MeanSquare * weight * weight;
-    return std::max(spread, std::sqrt(trust * (n + Prior) * meanSquareWeight));
+    return this->AtLeast(spread, n, n, weight);
+  }
+
+  /// The same where it is known how many hits came with which start weight. The hits that might
+  /// have come are taken to have the largest one, so only hits that add up to as much tell that
+  /// the spread is known. @param weighted The sum of the hits' start weights over the largest one.
+  /// @param squares The sum of the squares of the same.
+  double StandardErrorOf(double spread, double weighted, double squares) const
+  {
+    return this->AtLeast(spread, weighted, squares, this->MeanWeight * this->StartWeights.back());
   }
 
   static constexpr double WithoutCompensation = 1.0 / 3.0; ///< The mean weight.
 
 private:
+  double AtLeast(double spread, double hits, double squares, double weight) const
+  {
+    const double trust =
+      this->Replicates ? std::clamp((Many - hits) / (Many - Few), 0.0, 1.0) : 1.0;
+    const double meanSquareWeight = MeanSquare * weight * weight;
+    return std::max(spread, std::sqrt(trust * (squares + Prior) * meanSquareWeight));
+  }
+
   static constexpr double MeanSquare = 1.5; ///< Of the coordinates, over their squared mean.
   static constexpr double Prior = 2.0;      ///< Hits.
   static constexpr double Few = 9.0;        ///< Up to so many count in full.

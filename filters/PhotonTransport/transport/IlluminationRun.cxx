@@ -26,11 +26,15 @@ IlluminationRun::IlluminationRun(
   , Settings(settings)
   , Cells(SecondPass::CellsFor(scene, settings))
   , Tracer(scene, lighting, settings, this->Cells.get(), this->Cells ? Openings() : openings)
+  , Traced(Undimmed(lighting, settings))
+  , Now(this->Traced)
+  , EffectsNow(this->Tracer.EffectsInUse())
   , Second(this->Cells ? std::make_unique<SecondPass>(
                            scene, *this->Cells, this->Tracer, settings, std::move(openings))
                        : nullptr)
 {
   this->Sums = ReplicateSums(settings.replicates, this->Tracer.EmptySums());
+  this->Relight(lighting);
 }
 
 IlluminationRun::~IlluminationRun() = default;

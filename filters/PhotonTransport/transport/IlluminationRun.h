@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/lights/Lamp.h"
 #include "PhotonTransport/openings/Opening.h"
 #include "PhotonTransport/registration/PhotonHit.h"
 #include "PhotonTransport/statistics/Accuracy.h"
@@ -59,6 +60,19 @@ public:
   /// InvalidInput for rules out of range.
   StopReason Advance(const StopRules& rules, const ProgressMonitor& monitor = {});
 
+  /// Makes the map that of another lighting, whose lamps differ from those that were traced in
+  /// their fluxes, dimming and colours alone (see RelightingOf), from what was traced: no photon
+  /// is. All that the run tells is then of that lighting: maps, errors, fluxes, and the last row of
+  /// Rounds(), which becomes the only one; numbers of photons stay. Where lamps are not kept apart,
+  /// by TraceSettings::lampsApart in Method::PhotonTracing, nothing may differ; nor may colours
+  /// where facets have colours of their own. @return Whether that was possible; if not, nothing
+  /// changes.
+  bool Relight(const Lighting& wanted);
+  /// Whether Relight has made the map that of another lighting.
+  bool IsRelit() const { return !this->Factors.empty() || this->HasOtherColours; }
+  /// Whether photons have other colours than the light that the map is of.
+  bool HasOtherColoursThanPhotons() const { return this->HasOtherColours; }
+
   /// Where accuracy counts: StopRules::relativeError and Accuracy::region are of this region from
   /// now on, and the last row of Rounds() is as well.
   /// @param shares [vertex] Of its area that belongs to the region, [0, 1], not all 0; or empty for
@@ -90,6 +104,9 @@ public:
   /// [vertex] The standard errors of FrontByColour(), lx; empty without colour and in
   /// Method::FinalGathering.
   std::vector<std::array<double, 3>> ColourErrors() const;
+  /// The light on the front from one luminaire with its own errors, where
+  /// TraceSettings::lampsApart, in Method::PhotonTracing.
+  IlluminationMap MapOfLamp(std::size_t lamp) const;
   /// [vertex] The light on the front from one luminaire, lx; 0 unless TraceSettings::lampsApart.
   std::vector<double> FrontOfLamp(std::size_t lamp) const;
 
@@ -131,15 +148,16 @@ public:
   {
     return this->Tracer.CornersLitFromBehind(static_cast<std::uint32_t>(lamp));
   }
-  double Flux() const { return this->Tracer.Flux(); }
+  double Flux() const;                              ///< Of all lamps, lm.
   std::uint32_t LampOf(std::uint32_t source) const; ///< See Emitter.
-  const std::vector<float>& StartWeights() const { return this->Tracer.StartWeights(); }
+  /// lm that a photon of a source stands for where so many photons stand for all light.
+  double FluxOfPhoton(std::size_t source, std::uint64_t photons) const;
   double FluxOf(std::uint64_t photons) const; ///< lm that so many photons stand for on average.
   double FluxCutByWeightBound() const;        ///< lm
   /// The flux that an effect which is switched off would have carried on, lm.
   double FluxSwitchedOff(Scattering scattering) const;
   double Seconds() const { return this->SecondsTraced; }
-  const Effects& EffectsInUse() const { return this->Tracer.EffectsInUse(); }
+  const Effects& EffectsInUse() const { return this->EffectsNow; }
 
   /// One row for each round; the last one is of the map as it is.
   const std::vector<Accuracy>& Rounds() const { return this->Rows; }
@@ -156,11 +174,23 @@ private:
     const std::uint64_t inOneOfEach = this->Sums.replicates.size() * PhotonBlock;
     return (photons + inOneOfEach - 1) / inOneOfEach;
   }
+  MapScale Scale() const
+  {
+    return { this->Tracer.Flux(), this->LitScene.VertexAreas(), this->Tracer.StartWeights() };
+  }
   IlluminationMap MapOf(ReplicateSums::Side side) const
   {
-    return this->Sums.Map(
-      side, this->Flux(), this->LitScene.VertexAreas(), this->Tracer.StartWeights());
+    return this->Sums.Map(side, this->Scale(), this->Factors);
   }
+  double FactorOf(std::size_t source) const
+  {
+    return this->Factors.empty() ? 1.0 : this->Factors[source % this->Factors.size()];
+  }
+  std::vector<double> LampAlone(std::size_t lamp) const;
+  LampFactors FactorsOfChannel(std::size_t channel) const;
+  /// [vertex] A value of the maps of each channel, where lamps tell colours.
+  std::vector<std::array<double, 3>> ColoursOfLamps(
+    const std::function<double(const IlluminationMap& map, std::size_t vertex)>& value) const;
   double FluxOfPhoton(std::size_t source) const;
   std::vector<ArrivedFlux> ArrivedByLamp(
     const std::function<double(std::size_t source)>& ofPhoton) const;
@@ -184,6 +214,11 @@ private:
   TraceSettings Settings;
   std::unique_ptr<const FacetCells> Cells; ///< By which the second pass knows the first; or null.
   PhotonTracer Tracer;
+  Lighting Traced;    ///< As lamps were traced.
+  Lighting Now;       ///< That of the map.
+  Effects EffectsNow; ///< The same.
+  LampFactors Factors;
+  bool HasOtherColours = false;
   std::unique_ptr<SecondPass> Second; ///< Null in Method::PhotonTracing.
   ReplicateSums Sums;
   IlluminationSums Part; ///< What this one of several ranks has traced since ranks last added up.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a run has found: its maps and its flux.
 #include "PhotonTransport/lights/Emitter.h"
+#include "PhotonTransport/materials/Colour.h"
 #include "PhotonTransport/statistics/FacetError.h"
 #include "PhotonTransport/threads/Threads.h"
 #include "PhotonTransport/transport/IlluminationRun.h"
@@ -56,14 +57,17 @@ std::vector<double> IlluminationRun::FacetErrorOf(const IlluminationMap& map) co
 
 GroupMeans IlluminationRun::FrontByGroups() const
 {
-  return this->Second ? GroupMeans()
-                      : this->Sums.FrontByGroups(this->Flux(), this->LitScene.VertexAreas());
+  return this->Second ? GroupMeans() : this->Sums.FrontByGroups(this->Scale(), this->Factors);
 }
 
 std::vector<std::array<double, 3>> IlluminationRun::FrontByColour() const
 {
-  std::vector<std::array<double, 3>> front =
-    this->Sums.FrontByColour(this->Flux(), this->LitScene.VertexAreas());
+  if (this->EffectsNow.colour && this->Tracer.LampsTellColours())
+  {
+    return this->ColoursOfLamps(
+      [](const IlluminationMap& map, std::size_t v) { return map.direct[v] + map.indirect[v]; });
+  }
+  std::vector<std::array<double, 3>> front = this->Sums.FrontByColour(this->Scale(), this->Factors);
   if (this->Second)
   {
     return this->Second->Together(std::move(front), this->Second->Front());
@@ -73,15 +77,32 @@ std::vector<std::array<double, 3>> IlluminationRun::FrontByColour() const
 
 std::vector<std::array<double, 3>> IlluminationRun::ColourErrors() const
 {
-  return this->Second ? std::vector<std::array<double, 3>>()
-                      : this->Sums.ColourErrors(
-                          this->Flux(), this->LitScene.VertexAreas(), this->Tracer.StartWeights());
+  if (this->Second || !this->EffectsNow.colour)
+  {
+    return {};
+  }
+  return this->Tracer.LampsTellColours()
+    ? this->ColoursOfLamps(
+        [](const IlluminationMap& map, std::size_t v) { return map.standardError[v]; })
+    : this->Sums.ColourErrors(this->Scale(), this->Factors);
+}
+
+/// What photons have registered.
+std::vector<double> IlluminationRun::LampAlone(std::size_t lamp) const
+{
+  std::vector<double> front(this->LitScene.VertexAreas().size(), 0.0);
+  if (this->Settings.lampsApart)
+  {
+    const IlluminationMap map = this->MapOfLamp(lamp);
+    std::transform(
+      map.direct.begin(), map.direct.end(), map.indirect.begin(), front.begin(), std::plus<>());
+  }
+  return front;
 }
 
 std::vector<double> IlluminationRun::FrontOfLamp(std::size_t lamp) const
 {
-  std::vector<double> front =
-    this->Sums.FrontOfLamp(lamp, this->Flux(), this->LitScene.VertexAreas());
+  std::vector<double> front = this->LampAlone(lamp);
   if (this->Second)
   {
     return this->Second->Together(std::move(front), this->Second->Front(), lamp);
@@ -116,12 +137,16 @@ double IlluminationRun::FluxSwitchedOff(Scattering scattering) const
   return this->BalanceOfFlux().switchedOff[static_cast<unsigned>(scattering)];
 }
 
-/// lm that a photon of a source stands for.
+double IlluminationRun::FluxOfPhoton(std::size_t source, std::uint64_t photons) const
+{
+  return photons > 0 ? this->Tracer.Flux() / static_cast<double>(photons) *
+      double{ this->Tracer.StartWeights()[source] } * this->FactorOf(source)
+                     : 0.0;
+}
+
 double IlluminationRun::FluxOfPhoton(std::size_t source) const
 {
-  const auto emitted = static_cast<double>(this->Balance().emitted);
-  return emitted > 0.0 ? this->Flux() / emitted * double{ this->Tracer.StartWeights()[source] }
-                       : 0.0;
+  return this->FluxOfPhoton(source, this->Balance().emitted);
 }
 
 std::vector<Arrivals> IlluminationRun::ArrivalsByLamp() const
@@ -215,10 +240,13 @@ double IlluminationRun::FluxOf(std::uint64_t photons) const
 
 double IlluminationRun::FluxCutByWeightBound() const
 {
-  const auto emitted = static_cast<double>(this->Balance().emitted);
-  return emitted > 0.0
-    ? this->Flux() / emitted * this->Sums.CutByWeightBound(this->Tracer.StartWeights())
-    : 0.0;
+  const std::vector<double> cut = this->Sums.CutByWeightBound();
+  double flux = 0.0;
+  for (std::size_t source = 0; source < cut.size(); ++source)
+  {
+    flux += this->FluxOfPhoton(source) * cut[source];
+  }
+  return flux;
 }
 
 } // namespace PhotonTransport

@@ -18,9 +18,10 @@ constexpr double GrowthTowardsTarget = 1.5;
 constexpr double Growth = 2.0;
 
 /// Photons of a slice for each vertex: adding up the threads' sums costs a few photons' time a
-/// vertex.
+/// vertex. Where lamps are kept apart most of their slots are empty, which costs less.
 constexpr std::uint64_t SlicePhotonsPerVertex = 2;
-constexpr std::uint64_t LeastSlice = 256; // blocks
+constexpr std::uint64_t MostLampsInSlice = 4; // or a pause would have to wait
+constexpr std::uint64_t LeastSlice = 256;     // blocks
 
 /// The first round of each replicate, in blocks: small, so that something is known soon, but not
 /// below a photon a vertex, or adding up and measuring the error would cost more than tracing.
@@ -74,8 +75,9 @@ std::optional<StopReason> IlluminationRun::TraceReplicate(
   std::uint32_t number, std::uint64_t end, const StopRules& rules, const ProgressMonitor& monitor)
 {
   const std::uint64_t slice = this->Sharing->Number() *
-    std::max<std::uint64_t>(
-      LeastSlice, SlicePhotonsPerVertex * this->LitScene.NumberOfMapVertices() / PhotonBlock);
+    std::max<std::uint64_t>(LeastSlice,
+      SlicePhotonsPerVertex * this->LitScene.NumberOfMapVertices() *
+        std::min<std::uint64_t>(MostLampsInSlice, this->Sums.front.lamps) / PhotonBlock);
   std::optional<StopReason> reason;
   std::uint64_t next = this->BlocksOf(number);
   while (!reason && next < end)

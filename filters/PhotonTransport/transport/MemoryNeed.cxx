@@ -119,14 +119,17 @@ std::uint64_t SumsPerVertex(const Lighting& lighting, const TraceSettings& setti
 {
   const std::uint64_t sides = settings.registerBackSide ? 2 : 1;
   const auto threads = static_cast<std::uint64_t>(ThreadCount(settings.threads));
-  const std::uint64_t lamps = settings.lampsApart ? lighting.luminaires.size() : 0;
-  const std::uint64_t layers = (colour ? LightLayers::ColourLayers : 0) + lamps;
+  const std::uint64_t lamps = lighting.luminaires.size();
+  const std::uint64_t slots = settings.lampsApart ? lamps : 1;
+  const std::uint64_t layers = colour ? LightLayers::ColourLayers : 0;
   const std::uint64_t colours =
     colour ? settings.replicates * LightLayers::Channels * sizeof(FixedPoint) : 0;
-  return threads * sides * sizeof(VertexSums) + colours +
-    SideSums::BytesPerVertex(settings.replicates, Groups) +
-    (sides - 1) * SideSums::BytesPerVertex(settings.replicates, 1) +
-    layers * ((threads + 1) * sizeof(FixedPoint) + 3 * sizeof(double));
+  const std::uint64_t arrays = layers + (settings.lampsApart ? 2 * lamps : 0);
+  const std::uint64_t ofSlot = threads * sides * sizeof(VertexSums) + colours +
+    SideSums::BytesPerSlot(settings.replicates, Groups) +
+    (sides - 1) * SideSums::BytesPerSlot(settings.replicates, 1) +
+    layers * (threads + 1) * sizeof(FixedPoint);
+  return slots * ofSlot + arrays * 3 * sizeof(double);
 }
 
 /// The maps, and what is made of them: first the error of facet size, then the outputs.

@@ -118,4 +118,33 @@ std::vector<double> PhotonShares(
   return shares;
 }
 
+std::vector<double> SharesForLampsApart(const Emitter& source, std::vector<double> shares)
+{
+  constexpr double Evenly = 1.0 / 20.0;
+  if (shares.empty())
+  {
+    for (std::size_t s = 0; s < source.Sources(); ++s)
+    {
+      shares.push_back(source.FluxOfSource(s));
+    }
+  }
+  std::vector<double> ofLamp(source.Lamps(), 0.0);
+  double all = 0.0;
+  for (std::size_t s = 0; s < shares.size(); ++s)
+  {
+    ofLamp[s % ofLamp.size()] += shares[s];
+    all += shares[s];
+  }
+  const auto shining = static_cast<double>(
+    std::count_if(ofLamp.begin(), ofLamp.end(), [](double share) { return share > 0.0; }));
+  for (std::size_t s = 0; s < shares.size() && all > 0.0; ++s)
+  {
+    const double own = ofLamp[s % ofLamp.size()];
+    const double most = source.FluxOfSource(s) / source.Flux() / LeastWeight;
+    const double even = own > 0.0 ? shares[s] / own / shining : 0.0;
+    shares[s] = std::min(most, (1.0 - Evenly) * shares[s] / all + Evenly * even);
+  }
+  return all > 0.0 ? shares : std::vector<double>();
+}
+
 } // namespace PhotonTransport

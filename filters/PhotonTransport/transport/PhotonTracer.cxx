@@ -38,48 +38,42 @@ const TraceSettings& Validated(const TraceSettings& settings)
   return settings;
 }
 
-/// Every illuminance must be a number with all its digits, from that of one photon in 10^10 at the
-/// least weight, 2^-28, to that of all photons at the largest factor.
-void RequireIlluminanceInRange(const Scene& scene, double flux)
-{
-  constexpr double LeastShare = 0x1p-62;
-  double least = std::numeric_limits<double>::max();
-  double largest = 0.0;
-  for (const double area : scene.VertexAreas())
-  {
-    least = area > 0.0 ? std::min(least, area) : least;
-    largest = std::max(largest, area);
-  }
-  const double brightest = flux / least * double{ LargestFactor };
-  const double faintest = flux * LeastShare / largest;
-  if (!std::isfinite(brightest) || (flux > 0.0 && !std::isnormal(faintest)))
-  {
-    std::ostringstream message;
-    message << "a luminous flux of " << flux << " lm on areas around points of " << least << " to "
-            << largest << " m^2 is an illuminance beyond what a number can hold";
-    throw InvalidInput(InvalidInput::Where::LampSettings, 0, message.str());
-  }
-}
-
 } // namespace
+
+Lighting Undimmed(Lighting lighting, const TraceSettings& settings)
+{
+  for (Luminaire& luminaire : lighting.luminaires)
+  {
+    luminaire.dimming = CanBeRelit(settings) ? 1.0 : luminaire.dimming;
+  }
+  return lighting;
+}
 
 struct PhotonTracer::Implementation
 {
   Implementation(const Scene& scene, const Lighting& lighting, const Effects& effects,
     const TraceSettings& settings, Openings toSky)
-    : source(lighting, scene, effects.colour, std::move(toSky))
+    : source(Undimmed(lighting, settings), scene, effects.colour, std::move(toSky))
     , walk(settings.mostGeneralWalk ? Walk::General : WalkFor(effects))
     , materials(RoulettesFor(scene, this->walk, effects.colouredFacets))
     , workers(settings.threads)
     , workerSums(static_cast<std::size_t>(ThreadCount(settings.threads)))
   {
+    std::vector<double> shares;
     if (this->source.Sources() > this->source.Lamps())
     {
       this->openings = std::make_unique<OpeningPhotons>(scene, this->source,
         OutdoorWays{ effects.simulated, settings.maximumPathLength, effects.colouredFacets,
           LetsLightThrough(this->walk) });
-      this->source.SetPhotonShares(
-        PhotonShares(scene, this->source, *this->openings, settings.registerBackSide));
+      shares = PhotonShares(scene, this->source, *this->openings, settings.registerBackSide);
+    }
+    if (CanBeRelit(settings) && this->source.Lamps() > 1)
+    {
+      shares = SharesForLampsApart(this->source, std::move(shares));
+    }
+    if (!shares.empty())
+    {
+      this->source.SetPhotonShares(shares);
     }
   }
 
@@ -101,7 +95,7 @@ PhotonTracer::PhotonTracer(const Scene& scene, const Lighting& lighting,
   , Impl(std::make_unique<Implementation>(
       scene, lighting, this->EffectsFound, settings, std::move(openings)))
 {
-  RequireIlluminanceInRange(scene, this->Flux());
+  this->RequireIlluminanceInRange(this->Flux());
   this->Impl->workerSums.Fill(this->EmptySums());
   for (const IlluminationSums& own : this->Impl->workerSums)
   {
@@ -117,6 +111,29 @@ PhotonTracer::~PhotonTracer() = default;
 double PhotonTracer::Flux() const
 {
   return this->Impl->source.Flux();
+}
+
+/// Every illuminance must be a number with all its digits, from that of one photon in 10^10 at the
+/// least weight, 2^-28, to that of all photons at the largest factor.
+void PhotonTracer::RequireIlluminanceInRange(double flux) const
+{
+  constexpr double LeastShare = 0x1p-62;
+  double least = std::numeric_limits<double>::max();
+  double largest = 0.0;
+  for (const double area : this->LitScene.VertexAreas())
+  {
+    least = area > 0.0 ? std::min(least, area) : least;
+    largest = std::max(largest, area);
+  }
+  const double brightest = flux / least * double{ LargestFactor };
+  const double faintest = flux * LeastShare / largest;
+  if (!std::isfinite(brightest) || (flux > 0.0 && !std::isnormal(faintest)))
+  {
+    std::ostringstream message;
+    message << "a luminous flux of " << flux << " lm on areas around points of " << least << " to "
+            << largest << " m^2 is an illuminance beyond what a number can hold";
+    throw InvalidInput(InvalidInput::Where::LampSettings, 0, message.str());
+  }
 }
 
 const Emitter& PhotonTracer::Source() const
@@ -139,12 +156,25 @@ bool PhotonTracer::CountsCaustics() const
   return (this->EffectsFound.simulated & ~DiffuseScatterings) != 0;
 }
 
+bool PhotonTracer::LampsTellColours() const
+{
+  bool facetsShine = false;
+  for (std::size_t lamp = 0; lamp < this->Impl->source.Lamps(); ++lamp)
+  {
+    facetsShine =
+      facetsShine || std::holds_alternative<FacetEmitter>(this->Impl->source.OfLamp(lamp));
+  }
+  return CanBeRelit(this->Settings) && !this->EffectsFound.colouredFacets && !facetsShine;
+}
+
 IlluminationSums PhotonTracer::EmptySums() const
 {
   const std::size_t vertices = this->LitScene.NumberOfMapVertices();
   const std::size_t lamps = this->Impl->source.Lamps();
+  const std::size_t apart = this->Settings.lampsApart ? lamps : 1;
+  const bool colour = this->EffectsFound.colour && !this->LampsTellColours();
   IlluminationSums sums{ vertices, this->Settings.registerBackSide, this->Impl->source.Sources(),
-    { vertices, this->EffectsFound.colour, this->Settings.lampsApart ? lamps : 0 } };
+    { vertices * apart, colour }, apart };
   if (this->Cells)
   {
     const std::size_t channels = this->EffectsFound.colour ? LightLayers::Channels : 1;

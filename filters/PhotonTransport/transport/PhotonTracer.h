@@ -29,6 +29,9 @@ using Monitor = std::function<bool(std::uint64_t blocksDone)>;
 /// traces them. They are so small that a run stops promptly even where nothing absorbs.
 constexpr std::uint64_t PhotonBlock = 256;
 
+/// The lighting as it is traced: without dimming where that is applied afterwards.
+Lighting Undimmed(Lighting lighting, const TraceSettings& settings);
+
 /// Traces blocks of photons into sums, on several threads. The sums are a function of the blocks
 /// alone: they have the same bits for any number of threads and any division of a range.
 class PhotonTracer
@@ -53,13 +56,19 @@ public:
   bool Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
     const std::function<void(IlluminationSums& part)>& add, const Monitor& monitor = {});
 
-  /// Its layers are colours, where the scene calls for them, and lamps, where the settings ask
-  /// for them apart.
+  /// With slots for each lamp where the settings ask for lamps apart, and layers of colour where
+  /// the scene calls for colour and LampsTellColours() is false.
   IlluminationSums EmptySums() const;
   double Flux() const;
+  /// Throws InvalidInput if the illuminances of so much flux, lm, would leave the range of a
+  /// double.
+  void RequireIlluminanceInRange(double flux) const;
   const Emitter& Source() const;
   const std::vector<float>& StartWeights() const; ///< See Emitter.
   const OpeningPhotons* OpeningsInUse() const;    ///< Null where no light comes through any.
+  /// Whether all light of a lamp has the colour of its luminaire, wherever it arrives, and lamps
+  /// are kept apart, so that the map has colours without layers of them.
+  bool LampsTellColours() const;
   /// Whether photons may reach a facet by mirrors, gloss or glass alone.
   bool CountsCaustics() const;
   const Effects& EffectsInUse() const { return this->EffectsFound; }

@@ -143,13 +143,12 @@ std::optional<RefinedMap> IlluminationRun::Refine(const Surface& surface,
     refined.back =
       this->Second->Together(photons.At(this->MapOf(&ReplicateSums::back)), adaptive.Back());
   }
-  refined.frontByColour = this->Second->Together(
-    photons.At(this->Sums.FrontByColour(this->Flux(), this->LitScene.VertexAreas())), front);
+  refined.frontByColour =
+    this->Second->Together(photons.At(this->Sums.FrontByColour(this->Scale())), front);
   for (std::size_t lamp = 0; lamp < this->Sums.layers.lampCells.lamps; ++lamp)
   {
-    refined.frontOfLamps.push_back(this->Second->Together(
-      photons.At(this->Sums.FrontOfLamp(lamp, this->Flux(), this->LitScene.VertexAreas())), front,
-      lamp));
+    refined.frontOfLamps.push_back(
+      this->Second->Together(photons.At(this->LampAlone(lamp)), front, lamp));
   }
   return refined;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The light of replicates by colour and by lamp.
 #include "PhotonTransport/materials/Colour.h"
-#include "PhotonTransport/statistics/FewHits.h"
 #include "PhotonTransport/statistics/ReplicateStatistics.h"
 #include "PhotonTransport/threads/Threads.h"
+#include "PhotonTransport/transport/LampSum.h"
 #include "PhotonTransport/transport/ReplicateSums.h"
 
 #include <algorithm>
@@ -25,18 +25,15 @@ struct Hits
   double weights = 0.0;
   ByColour squares{}; ///< Weights times the squared shares of the channels.
 
-  void Add(const LightLayers& layers, std::size_t vertex, std::uint64_t hits)
+  void Add(
+    const LightLayers& layers, const LampSum& sumOf, std::size_t vertex, std::uint64_t hits)
   {
     this->number += static_cast<double>(hits);
     for (std::size_t c = 0; c < LightLayers::Channels; ++c)
     {
-      this->weights += layers.Weights(vertex, c);
-      this->squares[c] += layers.Weights(vertex, LightLayers::Channels + c);
+      this->weights += sumOf(layers.sums, vertex, c, layers.perSlot);
+      this->squares[c] += sumOf(layers.sums, vertex, LightLayers::Channels + c, layers.perSlot);
     }
-  }
-  double MeanWeight() const
-  {
-    return this->weights > 0.0 ? this->weights / this->number : FewHits::WithoutCompensation;
   }
   /// 1 without a hit.
   double MeanSquare(std::size_t channel) const
@@ -54,48 +51,58 @@ void ReplicateSums::AddColours(std::size_t replicate, const LightLayers& ofRepli
     return;
   }
   std::vector<FixedPoint>& sums = this->colours[replicate];
-  ForEach(this->front.Vertices(),
-    [&](std::size_t v)
+  ForEach(this->front.Slots(),
+    [&](std::size_t slot)
     {
       for (std::size_t c = 0; c < LightLayers::Channels; ++c)
       {
-        sums[LightLayers::Channels * v + c] += ofReplicate.sums[v * ofReplicate.perVertex + c];
+        sums[LightLayers::Channels * slot + c] += ofReplicate.sums[slot * ofReplicate.perSlot + c];
       }
     });
 }
 
 std::vector<ByColour> ReplicateSums::ColourErrors(
-  double flux, const std::vector<double>& areas, const std::vector<float>& startWeights) const
+  const MapScale& scale, const LampFactors& factors) const
 {
+  const std::vector<double>& areas = scale.areas;
   std::vector<ByColour> errors(this->colours.empty() ? 0 : areas.size(), ByColour{});
+  if (errors.empty())
+  {
+    return errors;
+  }
+  const LampSum sumOf(this->front, factors);
   Hits all;
+  IlluminationMap few{ std::vector<double>(areas.size(), 0.0),
+    std::vector<double>(areas.size(), 0.0), {}, std::vector<double>(areas.size(), 0.0),
+    std::vector<std::uint64_t>(areas.size(), 0) };
   for (std::size_t v = 0; v < errors.size(); ++v)
   {
-    all.Add(this->layers, v, this->front.hits[v]);
+    sumOf.AddTotals(this->front, v, few);
+    all.Add(this->layers, sumOf, v, few.photonHits[v]);
   }
+  this->CountFewHits(this->front, scale, factors, few); // without a spread
   const std::vector<double> photons = this->PhotonsOfReplicates();
   const auto emitted = static_cast<double>(this->Balance().emitted);
-  const FewHits fewHits(all.MeanWeight(), this->CanTellSpread(), startWeights);
   ForEach(errors.size(),
     [&](std::size_t v)
     {
       Hits here;
-      here.Add(this->layers, v, this->front.hits[v]);
-      const double least = fewHits.StandardError(0.0, this->front.hits[v], here.weights);
+      here.Add(this->layers, sumOf, v, few.photonHits[v]);
+      const double least = few.standardError[v];
       for (std::size_t c = 0; c < LightLayers::Channels; ++c)
       {
         ReplicateStatistics statistics;
         for (std::size_t r = 0; r < photons.size(); ++r)
         {
-          const FixedPoint sum = this->colours[r][LightLayers::Channels * v + c];
-          statistics.Add(FromFixedPoint(sum) / photons[r], photons[r]);
+          const double sum = sumOf(this->colours[r], v, c, LightLayers::Channels);
+          statistics.Add(sum / photons[r], photons[r]);
         }
         constexpr double Further = 2.0; // hits
         const double meanSquare = (here.number * here.MeanSquare(c) + Further * all.MeanSquare(c)) /
           (here.number + Further);
         const double error =
           std::max(emitted * statistics.StandardError(), std::sqrt(meanSquare) * least);
-        errors[v][c] = IlluminanceOf(flux, areas[v], error, emitted) /
+        errors[v][c] = IlluminanceOf(scale.flux, areas[v], error, emitted) /
           double{ LuminousWeights[static_cast<int>(c)] };
       }
     });
@@ -103,31 +110,21 @@ std::vector<ByColour> ReplicateSums::ColourErrors(
 }
 
 std::vector<std::array<double, 3>> ReplicateSums::FrontByColour(
-  double flux, const std::vector<double>& areas) const
+  const MapScale& scale, const LampFactors& factors) const
 {
   const auto emitted = static_cast<double>(this->Balance().emitted);
-  std::vector<std::array<double, 3>> map(this->layers.HasColour() ? areas.size() : 0);
-  for (std::size_t v = 0; v < map.size(); ++v)
-  {
-    for (std::size_t c = 0; c < 3; ++c)
+  const LampSum sumOf(this->front, factors);
+  std::vector<std::array<double, 3>> map(this->layers.HasColour() ? scale.areas.size() : 0);
+  ForEach(map.size(),
+    [&](std::size_t v)
     {
-      map[v][c] = IlluminanceOf(flux, areas[v], this->layers.Weights(v, c), emitted) /
-        double{ LuminousWeights[static_cast<int>(c)] };
-    }
-  }
-  return map;
-}
-
-std::vector<double> ReplicateSums::FrontOfLamp(
-  std::size_t lamp, double flux, const std::vector<double>& areas) const
-{
-  const auto emitted = static_cast<double>(this->Balance().emitted);
-  std::vector<double> map(areas.size(), 0.0);
-  for (std::size_t v = 0; v < map.size() && this->layers.HasLamps(); ++v)
-  {
-    map[v] = IlluminanceOf(
-      flux, areas[v], this->layers.Weights(v, this->layers.firstLamp + lamp), emitted);
-  }
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        const double weights = sumOf(this->layers.sums, v, c, this->layers.perSlot);
+        map[v][c] = IlluminanceOf(scale.flux, scale.areas[v], weights, emitted) /
+          double{ LuminousWeights[static_cast<int>(c)] };
+      }
+    });
   return map;
 }
 

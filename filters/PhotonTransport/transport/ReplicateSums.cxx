@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/transport/ReplicateSums.h"
 
-#include "PhotonTransport/materials/Colour.h"
 #include "PhotonTransport/statistics/FewHits.h"
 #include "PhotonTransport/statistics/ReplicateStatistics.h"
 #include "PhotonTransport/threads/Threads.h"
+#include "PhotonTransport/transport/LampSum.h"
 
 #include <algorithm>
 #include <array>
@@ -31,20 +31,6 @@ void ForEachWithArea(const std::vector<double>& areas, const F& f)
     });
 }
 
-/// What a hit adds to a vertex. It is added up in order, so that the same sums give the same bits.
-/// @param sums Weights, where a map has illuminances.
-double MeanWeight(const IlluminationMap& sums)
-{
-  double weights = 0.0;
-  double hits = 0.0;
-  for (std::size_t v = 0; v < sums.direct.size(); ++v)
-  {
-    weights += sums.direct[v] + sums.indirect[v];
-    hits += static_cast<double>(sums.photonHits[v]);
-  }
-  return weights > 0.0 ? weights / hits : FewHits::WithoutCompensation;
-}
-
 /// What replicates have counted for each source, added up.
 template <typename Count>
 std::vector<Count> BySource(
@@ -64,8 +50,8 @@ std::vector<Count> BySource(
 } // namespace
 
 ReplicateSums::ReplicateSums(std::size_t numberOfReplicates, IlluminationSums empty)
-  : front(empty.front.size(), numberOfReplicates, Groups)
-  , back(empty.back.size(), numberOfReplicates, 1)
+  : front(empty.front.size(), numberOfReplicates, Groups, empty.lamps)
+  , back(empty.back.size(), numberOfReplicates, 1, empty.lamps)
   , layers(std::exchange(empty.layers, {}))
   , colours(layers.HasColour() ? numberOfReplicates : 0,
       std::vector<FixedPoint>(LightLayers::Channels * empty.front.size(), 0))
@@ -104,55 +90,49 @@ std::vector<Arrivals> ReplicateSums::ArrivalsBySource() const
   return BySource(this->replicates, &IlluminationSums::arrivals);
 }
 
-double ReplicateSums::CutByWeightBound(const std::vector<float>& startWeights) const
+std::vector<double> ReplicateSums::CutByWeightBound() const
 {
   const std::vector<FixedPoint> cut =
     BySource(this->replicates, &IlluminationSums::cutByWeightBound);
-  double sum = 0.0;
-  for (std::size_t source = 0; source < cut.size(); ++source)
-  {
-    sum += double{ startWeights[source] } * FromCoarseFixedPoint(cut[source]);
-  }
-  return sum;
+  std::vector<double> weights(cut.size());
+  std::transform(cut.begin(), cut.end(), weights.begin(), FromCoarseFixedPoint);
+  return weights;
 }
 
-IlluminationMap ReplicateSums::Map(Side side, double flux, const std::vector<double>& areas,
-  const std::vector<float>& startWeights) const
+IlluminationMap ReplicateSums::Map(
+  Side side, const MapScale& scale, const LampFactors& factors) const
 {
-  const std::size_t vertices = areas.size();
+  const std::size_t vertices = scale.areas.size();
   IlluminationMap map{ std::vector<double>(vertices, 0.0), std::vector<double>(vertices, 0.0), {},
     std::vector<double>(vertices, 0.0), std::vector<std::uint64_t>(vertices, 0) };
   const auto emitted = static_cast<double>(this->Balance().emitted);
-  if (!(emitted > 0.0))
+  const SideSums& sums = this->*side;
+  if (!(emitted > 0.0) || sums.Slots() == 0)
   {
     return map;
   }
+  const LampSum sumOf(sums, factors);
   const std::vector<double> photons = this->PhotonsOfReplicates();
   // Weights come first, since what a hit adds on average is known only when all are there.
-  ForEachWithArea(areas,
+  ForEachWithArea(scale.areas,
     [&](std::size_t v)
     {
-      const SideSums& sums = this->*side;
-      const VertexSums total = sums.Total(v);
       ReplicateStatistics statistics;
       for (std::size_t r = 0; r < photons.size(); ++r)
       {
-        statistics.Add(FromFixedPoint(sums.weights[r][v]) / photons[r], photons[r]);
+        statistics.Add(sumOf(sums.weights[r], v) / photons[r], photons[r]);
       }
-      map.direct[v] = FromFixedPoint(total.direct);
-      map.indirect[v] = FromFixedPoint(total.indirect);
+      sumOf.AddTotals(sums, v, map);
       map.standardError[v] = emitted * statistics.StandardError();
-      map.photonHits[v] = total.hits;
     });
-  const FewHits fewHits(MeanWeight(map), this->CanTellSpread(), startWeights);
-  ForEachWithArea(areas,
+  this->CountFewHits(sums, scale, factors, map);
+  ForEachWithArea(scale.areas,
     [&](std::size_t v)
     {
-      const double error = fewHits.StandardError(
-        map.standardError[v], map.photonHits[v], map.direct[v] + map.indirect[v]);
-      map.direct[v] = IlluminanceOf(flux, areas[v], map.direct[v], emitted);
-      map.indirect[v] = IlluminanceOf(flux, areas[v], map.indirect[v], emitted);
-      map.standardError[v] = IlluminanceOf(flux, areas[v], error, emitted);
+      const double error = map.standardError[v];
+      map.direct[v] = IlluminanceOf(scale.flux, scale.areas[v], map.direct[v], emitted);
+      map.indirect[v] = IlluminanceOf(scale.flux, scale.areas[v], map.indirect[v], emitted);
+      map.standardError[v] = IlluminanceOf(scale.flux, scale.areas[v], error, emitted);
     });
   return map;
 }
@@ -167,13 +147,38 @@ std::vector<double> ReplicateSums::PhotonsOfReplicates() const
   return photons;
 }
 
+/// Makes errors as large as few hits call for. @param map Of weights.
+void ReplicateSums::CountFewHits(const SideSums& sums, const MapScale& scale,
+  const LampFactors& factors, IlluminationMap& map) const
+{
+  const HitsByWeight hits(sums, scale.startWeights, factors);
+  if (hits.AreUnknown())
+  {
+    const FewHits few(FewHits::WithoutCompensation, this->CanTellSpread(), hits.CountingWeights());
+    ForEachWithArea(scale.areas,
+      [&](std::size_t v)
+      {
+        map.standardError[v] = few.StandardError(
+          map.standardError[v], map.photonHits[v], map.direct[v] + map.indirect[v]);
+      });
+    return;
+  }
+  const FewHits few(hits.MeanWeight(map), this->CanTellSpread(), { hits.LargestWeight() });
+  ForEachWithArea(scale.areas,
+    [&](std::size_t v)
+    {
+      const WeightedHits own = hits.At(v, map.photonHits[v]);
+      map.standardError[v] = few.StandardErrorOf(map.standardError[v], own.sum, own.squares);
+    });
+}
+
 bool ReplicateSums::CanTellSpread() const
 {
   const std::vector<double> photons = this->PhotonsOfReplicates();
   return std::count_if(photons.begin(), photons.end(), [](double n) { return n > 0.0; }) >= 2;
 }
 
-GroupMeans ReplicateSums::FrontByGroups(double flux, const std::vector<double>& areas) const
+GroupMeans ReplicateSums::FrontByGroups(const MapScale& scale, const LampFactors& factors) const
 {
   std::array<double, Groups> photons{};
   const std::vector<double> ofReplicates = this->PhotonsOfReplicates();
@@ -186,39 +191,40 @@ GroupMeans ReplicateSums::FrontByGroups(double flux, const std::vector<double>& 
     return {};
   }
   const double all = std::accumulate(photons.begin(), photons.end(), 0.0);
-  using Sums = std::array<FixedPoint, Groups>;
+  const LampSum sumOf(this->front, factors);
+  using Sums = std::array<double, Groups>;
+  // Sums of integers are exact as numbers: they are below 2^53, or it makes no difference.
   const auto meansOf = [&](std::size_t v, const Sums& sums)
   {
-    const FixedPoint total = std::accumulate(sums.begin(), sums.end(), FixedPoint{ 0 });
     GroupValues means{};
     double unweighted = 0.0;
     for (std::size_t g = 0; g < Groups; ++g)
     {
-      means[g] = FromFixedPoint(sums[g]) / photons[g];
+      means[g] = sums[g] / photons[g];
       unweighted += means[g] / Groups;
     }
     // Groups may differ in photons after a time limit; their plain mean must be that of the map.
-    const double shift = FromFixedPoint(total) / all - unweighted;
+    const double shift = std::accumulate(sums.begin(), sums.end(), 0.0) / all - unweighted;
     for (double& mean : means)
     {
-      mean = IlluminanceOf(flux, areas[v], mean + shift, 1.0);
+      mean = IlluminanceOf(scale.flux, scale.areas[v], mean + shift, 1.0);
     }
     return means;
   };
-  GroupMeans groups{ std::vector<GroupValues>(areas.size()),
-    std::vector<GroupValues>(areas.size()) };
-  ForEachWithArea(areas,
+  GroupMeans groups{ std::vector<GroupValues>(scale.areas.size()),
+    std::vector<GroupValues>(scale.areas.size()) };
+  ForEachWithArea(scale.areas,
     [&](std::size_t v)
     {
       Sums direct, indirect{};
       for (std::size_t r = 0; r < this->replicates.size(); ++r)
       {
-        indirect[r % Groups] += this->front.weights[r][v];
+        indirect[r % Groups] += sumOf(this->front.weights[r], v);
       }
       for (std::size_t g = 0; g < Groups; ++g)
       {
-        direct[g] = this->front.direct[g][v];
-        indirect[g] -= direct[g];
+        direct[g] = sumOf(this->front.direct[g], v);
+        indirect[g] = std::max(0.0, indirect[g] - direct[g]); // rounding may bring it below
       }
       groups.direct[v] = meansOf(v, direct);
       groups.indirect[v] = meansOf(v, indirect);
@@ -257,7 +263,10 @@ bool ReplicateSums::AreFull() const
         FixedPoint sum = 0;
         for (const std::vector<FixedPoint>& weights : sums->weights)
         {
-          sum += weights[v];
+          for (std::size_t slot = v; slot < weights.size(); slot += sums->Vertices())
+          {
+            sum += weights[slot];
+          }
         }
         if (sum >= Quarter)
         {

@@ -13,6 +13,18 @@
 namespace PhotonTransport
 {
 
+/// What turns sums of weights into lux.
+struct MapScale
+{
+  double flux;                            ///< Of all photons as they were traced, lm.
+  const std::vector<double>& areas;       ///< [vertex] m^2.
+  const std::vector<float>& startWeights; ///< [source] See Emitter.
+};
+
+/// By which the light of each lamp counts in a map: its flux over the flux with which it was
+/// traced. Empty: all lamps count as they were traced, and the map is made of sums of integers.
+using LampFactors = std::vector<double>;
+
 /// What the replicates of a run have summed up, and the maps that follow from it.
 struct ReplicateSums
 {
@@ -29,35 +41,32 @@ struct ReplicateSums
   SideSums back;                            ///< Without vertices unless the back is registered.
   std::vector<IlluminationSums> replicates; ///< Without vertices and layers.
   LightLayers layers;                       ///< Of all replicates together.
-  /// [replicate][vertex][channel] The light by colour; empty without colour.
+  /// [replicate][slot][channel] The light by colour; empty without colour.
   std::vector<std::vector<FixedPoint>> colours;
 
   PhotonBalance Balance() const;
   /// [source] Summed over the replicates.
   std::vector<PhotonBalance> BalancesBySource() const;
   std::vector<Arrivals> ArrivalsBySource() const;
-  /// Weight that the bound cut off. Times flux / photons it is in lm.
-  double CutByWeightBound(const std::vector<float>& startWeights) const;
+  /// Weight that the bound cut off, by source, without start weights.
+  std::vector<double> CutByWeightBound() const;
 
-  /// E_i = (flux / N) V_i / A_i and its standard error, which is that of the replicates or, where a
-  /// vertex has few hits, that of FewHits. @param flux lm. @param areas [vertex] m^2.
-  /// @param startWeights [source] See Emitter.
-  IlluminationMap Map(Side side, double flux, const std::vector<double>& areas,
-    const std::vector<float>& startWeights) const;
+  /// E_i = (flux / N) sum_l f_l V_il / A_i and its standard error, which is that of the replicates
+  /// or, where a vertex has few hits, that of FewHits. V_il is what lamp l has brought, f_l its
+  /// factor. Hits of lamps without light do not count.
+  IlluminationMap Map(Side side, const MapScale& scale, const LampFactors& factors = {}) const;
 
   /// See IlluminationRun::FrontByGroups.
-  GroupMeans FrontByGroups(double flux, const std::vector<double>& areas) const;
+  GroupMeans FrontByGroups(const MapScale& scale, const LampFactors& factors = {}) const;
 
-  /// See IlluminationRun.
+  /// From the layers; see IlluminationRun.
   std::vector<std::array<double, 3>> FrontByColour(
-    double flux, const std::vector<double>& areas) const;
+    const MapScale& scale, const LampFactors& factors = {}) const;
   /// The standard errors of these, lx: as Map has that of all light. Where a vertex has few hits,
   /// a colour has that of FewHits times the root mean square of its shares in the hits, and in two
   /// more that are as those of all vertices.
   std::vector<std::array<double, 3>> ColourErrors(
-    double flux, const std::vector<double>& areas, const std::vector<float>& startWeights) const;
-  std::vector<double> FrontOfLamp(
-    std::size_t lamp, double flux, const std::vector<double>& areas) const;
+    const MapScale& scale, const LampFactors& factors = {}) const;
 
   /// Whether anything has registered on that side.
   bool AnyLight(Side side) const;
@@ -72,6 +81,8 @@ struct ReplicateSums
 
 private:
   void AddColours(std::size_t replicate, const LightLayers& ofReplicate);
+  void CountFewHits(const SideSums& sums, const MapScale& scale, const LampFactors& factors,
+    IlluminationMap& map) const;
 };
 
 } // namespace PhotonTransport

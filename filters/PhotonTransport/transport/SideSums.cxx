@@ -6,10 +6,12 @@
 namespace PhotonTransport
 {
 
-SideSums::SideSums(std::size_t vertices, std::size_t replicates, std::size_t parts)
-  : weights(replicates, std::vector<FixedPoint>(vertices, 0))
-  , direct(parts, std::vector<FixedPoint>(vertices, 0))
-  , hits(vertices, 0)
+SideSums::SideSums(
+  std::size_t slots, std::size_t replicates, std::size_t parts, std::size_t lampsApart)
+  : lamps(lampsApart)
+  , weights(replicates, std::vector<FixedPoint>(slots, 0))
+  , direct(parts, std::vector<FixedPoint>(slots, 0))
+  , hits(slots, 0)
 {
 }
 
@@ -17,9 +19,14 @@ void SideSums::Add(std::size_t replicate, std::vector<VertexSums>& sums)
 {
   std::vector<FixedPoint>& ofReplicate = this->weights[replicate];
   std::vector<FixedPoint>& ofPart = this->direct[replicate % this->direct.size()];
-  ForEach(this->Vertices(),
+  ForEach(this->Slots(),
     [&](std::size_t v)
     {
+      if (sums[v].hits == 0 && sums[v].direct == 0 &&
+        sums[v].indirect == 0) // as are most slots of many lamps after a slice
+      {
+        return;
+      }
       ofReplicate[v] += sums[v].direct + sums[v].indirect;
       ofPart[v] += sums[v].direct;
       this->hits[v] += sums[v].hits;
@@ -27,19 +34,29 @@ void SideSums::Add(std::size_t replicate, std::vector<VertexSums>& sums)
     });
 }
 
-VertexSums SideSums::Total(std::size_t vertex) const
+VertexSums SideSums::TotalOfSlot(std::size_t slot) const
 {
   VertexSums total;
-  total.hits = this->hits[vertex];
+  total.hits = this->hits[slot];
   for (const std::vector<FixedPoint>& part : this->direct)
   {
-    total.direct += part[vertex];
+    total.direct += part[slot];
   }
   for (const std::vector<FixedPoint>& ofReplicate : this->weights)
   {
-    total.indirect += ofReplicate[vertex];
+    total.indirect += ofReplicate[slot];
   }
   total.indirect -= total.direct;
+  return total;
+}
+
+VertexSums SideSums::Total(std::size_t vertex) const
+{
+  VertexSums total;
+  for (std::size_t slot = vertex; slot < this->Slots(); slot += this->Vertices())
+  {
+    total += this->TotalOfSlot(slot);
+  }
   return total;
 }
 

@@ -42,6 +42,12 @@ struct TraceSettings : EffectSettings
   bool mostGeneralWalk = false;
 };
 
+/// Whether a run keeps what other fluxes of its lamps need for their map.
+inline bool CanBeRelit(const TraceSettings& settings)
+{
+  return settings.lampsApart && settings.method == Method::PhotonTracing;
+}
+
 /// Throws InvalidInput that names the setting.
 void Validate(const TraceSettings& settings);
 

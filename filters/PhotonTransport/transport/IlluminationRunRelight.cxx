@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a run becomes that of another lighting without tracing.
+#include "PhotonTransport/lights/Emitter.h"
+#include "PhotonTransport/lights/Relighting.h"
+#include "PhotonTransport/materials/Colour.h"
+#include "PhotonTransport/transport/IlluminationRun.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace PhotonTransport
+{
+namespace
+{
+
+/// Colours of lamps without those of a run's own facets must make sense; their fluxes do.
+bool AreValid(const Lighting& lighting)
+{
+  return std::all_of(lighting.luminaires.begin(), lighting.luminaires.end(),
+    [](const Luminaire& luminaire)
+    {
+      const Colour& colour = luminaire.colour;
+      const float sum = colour.x + colour.y + colour.z;
+      return colour.x >= 0.0f && colour.y >= 0.0f && colour.z >= 0.0f && sum > 0.0f &&
+        std::isfinite(sum);
+    });
+}
+
+} // namespace
+
+bool IlluminationRun::Relight(const Lighting& wanted)
+{
+  const std::optional<Relighting> relighting = RelightingOf(this->Traced, wanted);
+  const bool isPossible = relighting && AreValid(wanted) &&
+    (relighting->IsNone() || CanBeRelit(this->Settings)) &&
+    (relighting->sameColours || this->Tracer.LampsTellColours());
+  if (!isPossible)
+  {
+    return false;
+  }
+  const std::optional<Relighting> change = RelightingOf(this->Now, wanted);
+  if (change && change->IsNone())
+  {
+    return true;
+  }
+  LampFactors factors = std::all_of(relighting->factors.begin(), relighting->factors.end(),
+                          [](double f) { return f == 1.0; })
+    ? LampFactors()
+    : relighting->factors;
+  double flux = 0.0;
+  for (std::size_t lamp = 0; lamp < relighting->factors.size(); ++lamp)
+  {
+    flux += relighting->factors[lamp] * this->Tracer.Source().Flux(lamp);
+  }
+  this->Tracer.RequireIlluminanceInRange(flux);
+  this->Factors = std::move(factors);
+  this->HasOtherColours = !relighting->sameColours;
+  this->Now = wanted;
+  this->EffectsNow = AnalyseEffects(this->LitScene, wanted, this->Settings);
+  if (!this->Rows.empty())
+  {
+    this->Rows.erase(this->Rows.begin(), this->Rows.end() - 1); // their maps were of other light
+    this->MeasureErrorsOf(this->Rows.back());
+  }
+  return true;
+}
+
+double IlluminationRun::Flux() const
+{
+  if (this->Factors.empty())
+  {
+    return this->Tracer.Flux();
+  }
+  double flux = 0.0;
+  for (std::size_t lamp = 0; lamp < this->Factors.size(); ++lamp)
+  {
+    flux += this->Factors[lamp] * this->Tracer.Source().Flux(lamp);
+  }
+  return flux;
+}
+
+/// By which light of each lamp counts in a channel, as an illuminance where white light has three
+/// equal channels.
+LampFactors IlluminationRun::FactorsOfChannel(std::size_t channel) const
+{
+  LampFactors factors;
+  const auto c = static_cast<int>(channel);
+  for (std::size_t lamp = 0; lamp < this->Now.luminaires.size(); ++lamp)
+  {
+    const glm::dvec3 colour(this->Now.luminaires[lamp].colour);
+    const double luminance = glm::dot(glm::dvec3(LuminousWeights), colour);
+    factors.push_back(this->FactorOf(lamp) * colour[c] / luminance);
+  }
+  return factors;
+}
+
+IlluminationMap IlluminationRun::MapOfLamp(std::size_t lamp) const
+{
+  LampFactors factors(this->Tracer.Source().Lamps(), 0.0);
+  factors[lamp] = this->FactorOf(lamp);
+  return this->Sums.Map(&ReplicateSums::front, this->Scale(), factors);
+}
+
+std::vector<std::array<double, 3>> IlluminationRun::ColoursOfLamps(
+  const std::function<double(const IlluminationMap& map, std::size_t vertex)>& value) const
+{
+  std::vector<std::array<double, 3>> colours(this->LitScene.VertexAreas().size());
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    const IlluminationMap map =
+      this->Sums.Map(&ReplicateSums::front, this->Scale(), this->FactorsOfChannel(c));
+    for (std::size_t v = 0; v < colours.size(); ++v)
+    {
+      colours[v][c] = value(map, v);
+    }
+  }
+  return colours;
+}
+
+} // namespace PhotonTransport
