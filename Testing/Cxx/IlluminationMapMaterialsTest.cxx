@@ -131,7 +131,7 @@ TEST(IlluminationMapMaterials, PartsOfLuminairesAddUp)
   const double before = FieldValue(output, "EmittedFlux");
   lamp->SetDimming(0.5);
   EXPECT_LT(std::fabs(FieldValue(ball.Output(), "EmittedFlux") - (before - 500.0)), 1e-9 * before)
-    << "a dimmed luminaire is traced anew";
+    << "a luminaire is dimmed";
   lamp->SetType(vtkLuminaireSource::PHOTOMETRIC_FILE);
   lamp->SetFileName(ILLUMINATION_TEST_DATA "/photometry/tilt_included.ies");
   EXPECT_TRUE(Holds(FieldText(ball.Output(), "Notes"),

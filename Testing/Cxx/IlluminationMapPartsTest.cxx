@@ -3,8 +3,6 @@
 #include "GatheringTools.h"
 #include "OutputData.h"
 
-#include "PhotonTransport/statistics/PartErrors.h"
-
 #include "vtkIlluminationMap.h"
 #include "vtkLuminaireSource.h"
 
@@ -136,15 +134,3 @@ TEST_P(PartErrors, AreWhatMapsOfOtherSeedsDifferBy)
 INSTANTIATE_TEST_SUITE_P(IlluminationMap, PartErrors,
   ::testing::Combine(::testing::Values(vtkIlluminationMap::SOBOL, vtkIlluminationMap::RANDOM),
     ::testing::Values(20000, 1500)));
-
-TEST(PartError, HasItsLimits)
-{
-  using PhotonTransport::PartError;
-  EXPECT_EQ(PartError(0.0, 3.0, 0, 0.0), 3.0) << "without a hit it is that of the whole";
-  // Of 100 hits of 1 lx as if by chance none is of the part, which may still have had one.
-  const double byChance = std::sqrt(1.5 * 100.0);
-  EXPECT_DOUBLE_EQ(PartError(100.0, byChance, 100, 0.0), byChance * std::sqrt(0.01));
-  EXPECT_DOUBLE_EQ(PartError(100.0, byChance, 100, 100.0), byChance) << "the part is the whole";
-  EXPECT_DOUBLE_EQ(PartError(100.0, 2.0 * byChance, 10000, 49.99), 2.0 * byChance * std::sqrt(0.5));
-  EXPECT_DOUBLE_EQ(PartError(100.0, 0.0, 150, 149.0 / 1.5), std::sqrt(100.0)) << "evenly spread";
-}

@@ -53,8 +53,8 @@ vtkSmartPointer<vtkLuminaireSource> Source(int type)
 
 const glm::dvec3 Position(1.0, 2.0, 3.0);
 const glm::dvec3 Direction(2.0, 0.0, 0.0);
-constexpr double DimmedFlux = 400.0;
-constexpr double DimmedIlluminance = 300.0;
+constexpr double FluxBeforeDimming = 800.0;
+constexpr double IlluminanceBeforeDimming = 600.0;
 
 /// The lamp as the field data describe it; all values 0 if they describe another type.
 template <typename Lamp>
@@ -67,6 +67,7 @@ Lamp Described(vtkLuminaireSource* source)
   EXPECT_TRUE(luminaire && luminaire->name == "over the desk") << type << " keeps its name";
   EXPECT_TRUE(luminaire && luminaire->colour == Colour(0.5f, 1.0f, 0.25f))
     << type << " keeps its colour";
+  EXPECT_TRUE(luminaire && luminaire->dimming == 0.5) << type << " keeps its dimming";
   const Lamp* lamp = luminaire ? std::get_if<Lamp>(&luminaire->lamp) : nullptr;
   return lamp ? *lamp : Lamp{};
 }
@@ -134,7 +135,7 @@ TEST(LuminaireSource, PointLikeLampsComeBack)
 {
   auto source = Source(vtkLuminaireSource::PARALLEL);
   const auto parallel = Described<ParallelLight>(source);
-  EXPECT_TRUE(parallel.direction == Direction && parallel.illuminance == DimmedIlluminance)
+  EXPECT_TRUE(parallel.direction == Direction && parallel.illuminance == IlluminanceBeforeDimming)
     << "parallel light";
   const double tip = 0.1 * 0.75; // vtkArrowSource's radius
   CheckBounds(source, Position - glm::dvec3(0.0, tip, tip), Position + glm::dvec3(0.75, tip, tip),
@@ -142,19 +143,21 @@ TEST(LuminaireSource, PointLikeLampsComeBack)
 
   source = Source(vtkLuminaireSource::POINT);
   const auto point = Described<PointLamp>(source);
-  EXPECT_TRUE(point.position == Position && point.flux == DimmedFlux) << "point lamp";
+  EXPECT_TRUE(point.position == Position && point.flux == FluxBeforeDimming) << "point lamp";
   CheckBounds(source, Position - 0.375, Position + 0.375);
 
   source = Source(vtkLuminaireSource::LAMBERTIAN_POINT);
   const auto flat = Described<LambertianPointLamp>(source);
-  EXPECT_TRUE(flat.position == Position && flat.direction == Direction && flat.flux == DimmedFlux)
+  EXPECT_TRUE(
+    flat.position == Position && flat.direction == Direction && flat.flux == FluxBeforeDimming)
     << "flat lamp";
   CheckBounds(source, Position - glm::dvec3(0.0, tip, tip), Position + glm::dvec3(0.75, tip, tip),
     tip * (1.0 - std::cos(Pi / 48.0)));
 
   source = Source(vtkLuminaireSource::SPOT);
   const auto spot = Described<SpotLamp>(source);
-  EXPECT_TRUE(spot.position == Position && spot.direction == Direction && spot.flux == DimmedFlux)
+  EXPECT_TRUE(
+    spot.position == Position && spot.direction == Direction && spot.flux == FluxBeforeDimming)
     << "spot";
   EXPECT_LE(std::fabs(spot.halfAngle - Pi / 3.0), AngleRounding * Pi / 3.0) << "spot's angle";
   EXPECT_EQ(spot.exponent, 1.5) << "spot's exponent";
@@ -169,7 +172,8 @@ TEST(LuminaireSource, LampsWithAnAreaComeBack)
   const auto rectangle = Described<RectangleLamp>(source);
   EXPECT_TRUE(rectangle.centre == Position && rectangle.direction == Direction)
     << "rectangle's place";
-  EXPECT_TRUE(rectangle.width == 0.5 && rectangle.height == 0.25 && rectangle.flux == DimmedFlux)
+  EXPECT_TRUE(
+    rectangle.width == 0.5 && rectangle.height == 0.25 && rectangle.flux == FluxBeforeDimming)
     << "rectangle";
   // The width along z x direction = y; a line along the light, half as long as the mean side.
   CheckBounds(
@@ -183,21 +187,21 @@ TEST(LuminaireSource, LampsWithAnAreaComeBack)
   source = Source(vtkLuminaireSource::DISK);
   const auto disk = Described<DiskLamp>(source);
   EXPECT_TRUE(disk.centre == Position && disk.direction == Direction) << "disk's place";
-  EXPECT_TRUE(disk.radius == 0.5 && disk.flux == DimmedFlux) << "disk";
+  EXPECT_TRUE(disk.radius == 0.5 && disk.flux == FluxBeforeDimming) << "disk";
   CheckBounds(source, Position - glm::dvec3(0.0, 0.5, 0.5), Position + glm::dvec3(0.5, 0.5, 0.5),
     0.5 * (1.0 - std::cos(Pi / 48.0)));
   EXPECT_TRUE(FacesItsLight(source->GetOutput())) << "the disk faces its light";
 
   source = Source(vtkLuminaireSource::SPHERE);
   const auto sphere = Described<SphereLamp>(source);
-  EXPECT_TRUE(sphere.centre == Position && sphere.radius == 0.5 && sphere.flux == DimmedFlux)
+  EXPECT_TRUE(sphere.centre == Position && sphere.radius == 0.5 && sphere.flux == FluxBeforeDimming)
     << "sphere";
   CheckBounds(source, Position - 0.5, Position + 0.5);
 
   source = Source(vtkLuminaireSource::LINE);
   const auto line = Described<LineLamp>(source);
   EXPECT_TRUE(line.centre == Position && line.axis == Direction) << "line's place";
-  EXPECT_TRUE(line.length == 0.5 && line.flux == DimmedFlux) << "line";
+  EXPECT_TRUE(line.length == 0.5 && line.flux == FluxBeforeDimming) << "line";
   CheckBounds(source, Position - glm::dvec3(0.25, 0.0, 0.0), Position + glm::dvec3(0.25, 0.0, 0.0));
 }
 
@@ -224,12 +228,14 @@ TEST(LuminaireSource, SkiesComeBack)
   auto source = Source(vtkLuminaireSource::UNIFORM_SKY);
   const auto uniform = Described<UniformSky>(source);
   EXPECT_TRUE(uniform.up == up && !uniform.wholeSphere) << "uniform sky";
-  EXPECT_LE(std::fabs(uniform.luminance * Pi - DimmedIlluminance), 1e-12) << "the ground gets pi L";
+  EXPECT_LE(std::fabs(uniform.luminance * Pi - IlluminanceBeforeDimming), 1e-12)
+    << "the ground gets pi L";
   CheckBounds(source, Position - glm::dvec3(0.75, 0.75, 0.0), Position + 0.75);
 
   source = Source(vtkLuminaireSource::CIE_SKY);
   const auto sky = Described<CieSky>(source);
-  EXPECT_TRUE(sky.up == up && sky.type == 12 && sky.horizontalIlluminance == DimmedIlluminance)
+  EXPECT_TRUE(
+    sky.up == up && sky.type == 12 && sky.horizontalIlluminance == IlluminanceBeforeDimming)
     << "CIE sky";
   // 30 degrees above the east.
   EXPECT_LE(glm::distance(sky.sun, glm::dvec3(std::sqrt(0.75), 0.0, 0.5)), 1e-15) << "its sun";
@@ -245,7 +251,7 @@ TEST(LuminaireSource, PhotometricFileComesBack)
   EXPECT_TRUE(lamp.position == Position && lamp.direction == Direction)
     << "photometric lamp's place";
   EXPECT_LE(std::fabs(lamp.rotation - 33.0 / 180.0 * Pi), AngleRounding) << "its rotation";
-  EXPECT_EQ(lamp.scale, 0.5) << "dimming scales its intensities";
+  EXPECT_EQ(lamp.scale, 1.0) << "dimming is told apart";
   EXPECT_EQ(lamp.solid.type, PhotometricSolid::Type::C) << "its type";
   EXPECT_EQ(lamp.solid.polar, (std::vector<double>{ 0.0, 45.0, 90.0 })) << "its polar angles";
   EXPECT_TRUE(lamp.solid.ratedFlux == 1000.0 && lamp.solid.inputPower == 50.0) << "its lamps";

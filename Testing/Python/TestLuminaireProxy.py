@@ -2,8 +2,10 @@
 """The luminaire's proxy: defaults, documentation, choices, and a lamp that arrives as it is set."""
 import os
 
+import numpy as np
 import proxies
 from paraview import servermanager, simple
+from vtk.util.numpy_support import vtk_to_numpy
 from vtkIllumination import vtkLuminaireSource
 
 NOT_DEFAULT = {
@@ -94,6 +96,32 @@ def test_the_lamp_arrives_as_it_is_set():
     assert fields.GetArray("LuminairePosition").GetTuple3(0) == (1, 2, 3)
     assert fields.GetArray("LuminousFlux").GetTuple1(0) == 800
     assert abs(lamp.GetBounds()[1] - 1.5) < 0.01, lamp.GetBounds()
+
+
+def test_dimming_traces_nothing():
+    room = simple.Sphere(ThetaResolution=24, PhiResolution=24)
+    inside = simple.ReverseSense(Input=room, ReverseCells=1, ReverseNormals=1)
+    near, far = (Luminaire(Type="Point", LuminaireName=name, Position=(x, 0, 0)) for name, x in (("Near", 0.3), ("Far", -0.2)))
+    lit = IlluminationMap(Input=inside, Luminaires=[near, far], LampContributions=1, Photons=20000)
+
+    def found():
+        lit.UpdatePipeline()
+        data = servermanager.Fetch(lit)
+        points, fields = data.GetPointData(), data.GetFieldData()
+        names = ("Illuminance", "Illuminance_Near", "Illuminance_Far", "StandardError_Near")
+        return ([vtk_to_numpy(points.GetArray(name)) for name in names], fields.GetArray("Seconds").GetTuple1(0),
+                [fields.GetAbstractArray("Notes").GetValue(i) for i in range(fields.GetAbstractArray("Notes").GetNumberOfValues())])
+
+    (before, near_before, far_before, error), seconds, notes = found()
+    assert not any("relit" in note for note in notes), notes
+    near.Dimming, far.LuminousFlux = 0.25, 3000
+    (after, near_after, _, error_after), seconds_after, notes = found()
+    assert seconds_after == seconds and any("relit" in note for note in notes), notes
+    assert np.allclose(after, 0.25 * near_before + 3 * far_before, rtol=1e-12)
+    assert np.allclose(near_after, 0.25 * near_before, rtol=1e-12) and np.allclose(error_after, 0.25 * error, rtol=1e-12)
+    near.Dimming, far.LuminousFlux = 1, 1000
+    (back, *_), seconds_after, _ = found()
+    assert seconds_after == seconds and np.array_equal(back, before)
 
 
 def test_choices_are_set_by_number_too():

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIlluminationMap.h"
 
+#include "Illumination/luminaires/LuminaireCache.h"
 #include "Illumination/luminaires/LuminaireInput.h"
 #include "Illumination/map/AccuracyRegion.h"
 #include "Illumination/map/KeptRun.h"
@@ -59,6 +60,7 @@ vtkMTimeType LatestChange(vtkDataObject* data)
 } // namespace
 
 vtkIlluminationMap::vtkIlluminationMap()
+  : LampsRead(std::make_unique<LuminaireCache>())
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(4);
@@ -172,10 +174,12 @@ void vtkIlluminationMap::Execute(
   vtkDataObject* input, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const Luminaires luminaires = LuminaireInputs(inputs[1]);
-  const SurfaceDescription description = this->DescribeSurface(!luminaires.empty());
-  const SceneBlocks blocks(vtkDataObject::GetData(outputs), description);
+  // The number stands for whether there is an own lamp, which the surface may be.
+  Origins origins{ this->RunChanged, LatestChange(input), luminaires.empty() ? 0u : 1u };
+  const std::shared_ptr<SceneBlocks> sceneBlocks =
+    this->BlocksOf(vtkDataObject::GetData(outputs), origins);
+  const SceneBlocks& blocks = *sceneBlocks;
   const PhotonTransport::Lighting lighting = this->MakeLighting(luminaires);
-  Origins origins{ this->RunChanged, LatestChange(input) };
   try
   {
     this->StopBackground();
@@ -187,6 +191,7 @@ void vtkIlluminationMap::Execute(
     RequirePhotonCounts(this->MaximumPhotons, this->PhotonPaths);
     const std::uint64_t need =
       this->PrepareRun(blocks, lighting, std::move(origins), rules.photons);
+    this->Kept->Blocks = sceneBlocks;
     this->Kept->Run.SetRegion(region);
     const PhotonTransport::StopReason reason = this->AdvanceRun(rules, region);
     this->WriteMap(blocks, lighting, reason, outputs);
@@ -207,6 +212,19 @@ void vtkIlluminationMap::Execute(
     this->Kept.reset();
     throw;
   }
+}
+
+std::shared_ptr<SceneBlocks> vtkIlluminationMap::BlocksOf(
+  vtkDataObject* output, const std::vector<vtkMTimeType>& origins)
+{
+  // Data that are the same on this rank may be put together with others.
+  if (this->Kept && this->Kept->Blocks && this->Kept->MadeFrom == origins &&
+    !this->GetRanks().AreSeveral())
+  {
+    this->Kept->Blocks->LieIn(output);
+    return this->Kept->Blocks;
+  }
+  return std::make_shared<SceneBlocks>(output, this->DescribeSurface(origins.back() != 0));
 }
 
 std::uint64_t vtkIlluminationMap::PrepareRun(const SceneBlocks& blocks,

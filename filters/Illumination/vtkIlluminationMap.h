@@ -36,8 +36,7 @@
  *  - Illuminance_<name> (lx): from one luminaire, with LampContributions. A luminaire without a
  *    name, or whose name is taken, gets one, such as "Lamp 2" or "Spot (2)".
  *  - StandardErrorRGB (lx, 3 components), StandardError_<name> (lx): the noise of these two, with
- *    PHOTON_TRACING: that of colours as StandardError is found, that of a luminaire from
- *    StandardError and its share in the light (PartErrors.h), rather too large than too small.
+ *    PHOTON_TRACING, found as that of Illuminance is.
  *  - IlluminanceBack, StandardErrorBack (lx): what arrives on the back, with RegisterBackSide.
  *  - PhotonHits (vtkIdType), with PHOTON_TRACING: photons that hit the front of a facet around the
  *    point.
@@ -115,6 +114,7 @@ class vtkTable;
 
 namespace Illumination
 {
+class LuminaireCache;
 class SceneBlocks;
 struct KeptRun;
 struct LuminaireInput;
@@ -554,9 +554,11 @@ public:
 
   ///@{
   /**
-   * Whether each luminaire's part is kept, as Illuminance_<name>, so that lamps can be dimmed
-   * without tracing again. This takes 16 bytes for each point and lamp, and 8 more for each thread.
-   * Default: off.
+   * Whether each luminaire's part is kept, as Illuminance_<name>. With PHOTON_TRACING a map of
+   * other fluxes, dimming or colours of the lamps then follows from what was traced, its errors
+   * too, without a photon (IlluminationRun::Relight). Each lamp gets some photons, whatever its
+   * flux (SharesForLampsApart). This takes 152 bytes for each point and lamp, 32 more for each
+   * thread, and 240 and 48 more where surfaces have colours. Default: off.
    */
   vtkSetMacro(LampContributions, bool);
   vtkGetMacro(LampContributions, bool);
@@ -801,6 +803,10 @@ private:
   /// Sets them as they were when a map was made. @return Whether the field data hold any.
   bool RecallSettings(vtkFieldData* output, bool& ownLamp);
 
+  /// The blocks of the output: those of the last execution if nothing has changed that they depend
+  /// on. @param origins See PrepareRun; the last tells whether there are luminaires.
+  std::shared_ptr<Illumination::SceneBlocks> BlocksOf(
+    vtkDataObject* output, const std::vector<vtkMTimeType>& origins);
   /// Builds the scene and a run on it, unless the kept run can go on to so many photons and be that
   /// of the lighting.
   /// @param origins When data and filter last changed. @return Bytes that the run takes at most.
@@ -832,6 +838,7 @@ private:
   }
 
   std::unique_ptr<Illumination::KeptRun> Kept; ///< To go on from.
+  std::unique_ptr<Illumination::LuminaireCache> LampsRead;
   bool IsWatched = false;  ///< By a window, which asks whether there is a better map.
   vtkTimeStamp RunChanged; ///< When something changed that a run can't go on after.
 };

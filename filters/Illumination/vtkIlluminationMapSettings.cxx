@@ -3,6 +3,7 @@
 #include "vtkIlluminationMap.h"
 
 #include "Illumination/luminaires/LampProperties.h"
+#include "Illumination/luminaires/LuminaireCache.h"
 #include "Illumination/luminaires/LuminaireFields.h"
 #include "Illumination/luminaires/LuminaireInput.h"
 #include "Illumination/luminaires/LuminaireNames.h"
@@ -137,9 +138,11 @@ PhotonTransport::Lighting vtkIlluminationMap::MakeLighting(const Luminaires& lum
     return LampOf(this);
   }
   PhotonTransport::Lighting lighting;
+  this->LampsRead->Renew();
   for (const LuminaireInput& input : luminaires)
   {
-    lighting.luminaires.push_back(LuminaireOf(input));
+    lighting.luminaires.push_back(
+      this->LampsRead->Of(input.data, [&] { return LuminaireOf(input); }));
   }
   GiveNames(lighting.luminaires);
   return lighting;

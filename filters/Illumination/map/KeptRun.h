@@ -3,6 +3,7 @@
 #define KeptRun_h
 
 #include "Illumination/map/BackgroundRun.h"
+#include "Illumination/map/SceneBlocks.h"
 
 #include "PhotonTransport/scene/Scene.h"
 #include "PhotonTransport/scene/Surface.h"
@@ -13,6 +14,7 @@
 #include "vtkType.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -59,10 +61,11 @@ struct KeptRun
   PhotonTransport::IlluminationRun Run;
   PhotonTransport::Surface Curved; ///< What is traced where it is not the surface of the blocks.
   Origins MadeFrom;
-  std::uint64_t MemoryNeed;      ///< Bytes, without group means.
-  std::optional<EndedRun> Ended; ///< How it ended last.
-  double MemoryLimit = 0.0;      ///< The property as it was, GiB.
-  BackgroundRun Background;      ///< Last, since it uses the others.
+  std::uint64_t MemoryNeed;            ///< Bytes, without group means.
+  std::optional<EndedRun> Ended;       ///< How it ended last.
+  std::shared_ptr<SceneBlocks> Blocks; ///< What the scene was made of.
+  double MemoryLimit = 0.0;            ///< The property as it was, GiB.
+  BackgroundRun Background;            ///< Last, since it uses the others.
 
   /// Whether another limit may allow more parts of curved patches.
   bool IsCoarseForAnother(double memoryLimit) const

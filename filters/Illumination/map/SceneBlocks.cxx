@@ -17,6 +17,7 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace Illumination
 {
@@ -79,6 +80,21 @@ SceneBlocks::SceneBlocks(vtkDataObject* data, const SurfaceDescription& descript
   DescribeOpenings(this->Parts, description, this->All);
   this->AppendUnlit();
   this->LendVertices();
+}
+
+void SceneBlocks::LieIn(vtkDataObject* data)
+{
+  const SurfaceParts parts = PartsOf(data);
+  for (SceneBlock& block : this->Parts)
+  {
+    const auto same = std::find_if(parts.surfaces.begin(), parts.surfaces.end(),
+      [&](const NamedSurface& part) { return part.number == block.number; });
+    if (same == parts.surfaces.end())
+    {
+      throw std::logic_error("blocks are not those of the same data");
+    }
+    block.data = same->data;
+  }
 }
 
 void SceneBlocks::Append(SceneBlock block, const SurfaceDescription& description)

@@ -23,6 +23,10 @@ public:
   /// Throws InputError. @param data A vtkPolyData or a composite data set; must outlive this.
   SceneBlocks(vtkDataObject* data, const SurfaceDescription& description);
 
+  /// From now on the blocks are those of another data object, of the same cells and points, which
+  /// must outlive this, too.
+  void LieIn(vtkDataObject* data);
+
   const PhotonTransport::Surface& Surface() const { return this->All; }
   /// All blocks with polygons or strips; those without a triangle in the scene come last.
   const std::vector<SceneBlock>& Blocks() const { return this->Parts; }

@@ -150,6 +150,8 @@ public:
   }
   double Flux() const;                              ///< Of all lamps, lm.
   std::uint32_t LampOf(std::uint32_t source) const; ///< See Emitter.
+  /// As photons were traced.
+  const std::vector<float>& StartWeights() const { return this->Tracer.StartWeights(); }
   /// lm that a photon of a source stands for where so many photons stand for all light.
   double FluxOfPhoton(std::size_t source, std::uint64_t photons) const;
   double FluxOf(std::uint64_t photons) const; ///< lm that so many photons stand for on average.

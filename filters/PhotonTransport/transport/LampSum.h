@@ -18,64 +18,63 @@ namespace PhotonTransport
 class LampSum
 {
 public:
+  /// @param sums Must outlive it.
   LampSum(const SideSums& sums, const LampFactors& factors)
-    : Vertices(sums.Vertices())
-    , Lamps(sums.lamps)
-    , Factors(factors)
+    : Sums(sums)
+    , Exact(factors.empty())
   {
+    for (std::size_t lamp = 0; lamp < sums.lamps; ++lamp)
+    {
+      if (this->Exact || factors[lamp] > 0.0)
+      {
+        this->Parts.push_back({ lamp * sums.Vertices(), this->Exact ? 1.0 : factors[lamp] });
+      }
+    }
   }
 
   /// @param slots [slot][layer] @param layer Of so many.
-  double operator()(const std::vector<FixedPoint>& slots, std::size_t vertex,
-    std::size_t layer = 0, std::size_t layers = 1) const
+  double operator()(const std::vector<FixedPoint>& slots, std::size_t vertex, std::size_t layer = 0,
+    std::size_t layers = 1) const
   {
     FixedPoint exact = 0;
     double sum = 0.0;
-    for (std::size_t lamp = 0; lamp < this->Lamps; ++lamp)
+    for (const Part& part : this->Parts)
     {
-      const FixedPoint own = slots[(lamp * this->Vertices + vertex) * layers + layer];
-      if (this->Factors.empty())
-      {
-        exact += own;
-      }
-      else
-      {
-        sum += this->Factors[lamp] * FromFixedPoint(own);
-      }
+      const FixedPoint own = slots[(part.firstSlot + vertex) * layers + layer];
+      exact += own;
+      sum += part.factor * FromFixedPoint(own);
     }
-    return this->Factors.empty() ? FromFixedPoint(exact) : sum;
+    return this->Exact ? FromFixedPoint(exact) : sum;
   }
 
-  /// Direct and indirect light, and the hits of lamps that have light.
-  void AddTotals(const SideSums& sums, std::size_t vertex, IlluminationMap& map) const
+  /// Direct and indirect light, and the hits of lamps that have light. @param map Of zeros.
+  void AddTotals(std::size_t vertex, IlluminationMap& map) const
   {
     VertexSums exact;
-    for (std::size_t lamp = 0; lamp < this->Lamps; ++lamp)
+    double direct = 0.0;
+    double indirect = 0.0;
+    for (const Part& part : this->Parts)
     {
-      const VertexSums total = sums.TotalOfSlot(lamp * this->Vertices + vertex);
-      if (this->Factors.empty())
-      {
-        exact += total;
-      }
-      else if (this->Factors[lamp] > 0.0)
-      {
-        map.direct[vertex] += this->Factors[lamp] * FromFixedPoint(total.direct);
-        map.indirect[vertex] += this->Factors[lamp] * FromFixedPoint(total.indirect);
-        map.photonHits[vertex] += total.hits;
-      }
+      const VertexSums total = this->Sums.TotalOfSlot(part.firstSlot + vertex);
+      exact += total;
+      direct += part.factor * FromFixedPoint(total.direct);
+      indirect += part.factor * FromFixedPoint(total.indirect);
     }
-    if (this->Factors.empty())
-    {
-      map.direct[vertex] = FromFixedPoint(exact.direct);
-      map.indirect[vertex] = FromFixedPoint(exact.indirect);
-      map.photonHits[vertex] = exact.hits;
-    }
+    map.direct[vertex] = this->Exact ? FromFixedPoint(exact.direct) : direct;
+    map.indirect[vertex] = this->Exact ? FromFixedPoint(exact.indirect) : indirect;
+    map.photonHits[vertex] = exact.hits;
   }
 
 private:
-  std::size_t Vertices;
-  std::size_t Lamps;
-  const LampFactors& Factors;
+  /// A lamp that has light.
+  struct Part
+  {
+    std::size_t firstSlot;
+    double factor;
+  };
+  const SideSums& Sums;
+  bool Exact; ///< All lamps count as they were traced, so sums are of integers.
+  std::vector<Part> Parts;
 };
 
 /// Hits of a vertex by their start weights, over the largest of all.

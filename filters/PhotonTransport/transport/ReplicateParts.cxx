@@ -25,8 +25,7 @@ struct Hits
   double weights = 0.0;
   ByColour squares{}; ///< Weights times the squared shares of the channels.
 
-  void Add(
-    const LightLayers& layers, const LampSum& sumOf, std::size_t vertex, std::uint64_t hits)
+  void Add(const LightLayers& layers, const LampSum& sumOf, std::size_t vertex, std::uint64_t hits)
   {
     this->number += static_cast<double>(hits);
     for (std::size_t c = 0; c < LightLayers::Channels; ++c)
@@ -77,7 +76,7 @@ std::vector<ByColour> ReplicateSums::ColourErrors(
     std::vector<std::uint64_t>(areas.size(), 0) };
   for (std::size_t v = 0; v < errors.size(); ++v)
   {
-    sumOf.AddTotals(this->front, v, few);
+    sumOf.AddTotals(v, few);
     all.Add(this->layers, sumOf, v, few.photonHits[v]);
   }
   this->CountFewHits(this->front, scale, factors, few); // without a spread

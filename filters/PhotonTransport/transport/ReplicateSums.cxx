@@ -122,7 +122,7 @@ IlluminationMap ReplicateSums::Map(
       {
         statistics.Add(sumOf(sums.weights[r], v) / photons[r], photons[r]);
       }
-      sumOf.AddTotals(sums, v, map);
+      sumOf.AddTotals(v, map);
       map.standardError[v] = emitted * statistics.StandardError();
     });
   this->CountFewHits(sums, scale, factors, map);
