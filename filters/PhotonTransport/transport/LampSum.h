@@ -4,7 +4,8 @@
 
 #include "PhotonTransport/registration/IlluminationMap.h"
 #include "PhotonTransport/statistics/FewHits.h"
-#include "PhotonTransport/transport/ReplicateSums.h"
+#include "PhotonTransport/transport/MapScale.h"
+#include "PhotonTransport/transport/SideSums.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -22,6 +23,7 @@ public:
   LampSum(const SideSums& sums, const LampFactors& factors)
     : Sums(sums)
     , Exact(factors.empty())
+    , IsPlain(factors.empty() && sums.lamps == 1)
   {
     for (std::size_t lamp = 0; lamp < sums.lamps; ++lamp)
     {
@@ -36,6 +38,10 @@ public:
   double operator()(const std::vector<FixedPoint>& slots, std::size_t vertex, std::size_t layer = 0,
     std::size_t layers = 1) const
   {
+    if (this->IsPlain)
+    {
+      return FromFixedPoint(slots[vertex * layers + layer]);
+    }
     FixedPoint exact = 0;
     double sum = 0.0;
     for (const Part& part : this->Parts)
@@ -73,7 +79,8 @@ private:
     double factor;
   };
   const SideSums& Sums;
-  bool Exact; ///< All lamps count as they were traced, so sums are of integers.
+  bool Exact;   ///< All lamps count as they were traced, so sums are of integers.
+  bool IsPlain; ///< There is one slot for each vertex, and it counts as it is.
   std::vector<Part> Parts;
 };
 

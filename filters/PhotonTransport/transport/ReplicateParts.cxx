@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light of replicates by colour and by lamp.
+// The light of replicates by colour.
 #include "PhotonTransport/materials/Colour.h"
 #include "PhotonTransport/statistics/ReplicateStatistics.h"
 #include "PhotonTransport/threads/Threads.h"

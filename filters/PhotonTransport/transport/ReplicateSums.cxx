@@ -257,13 +257,14 @@ bool ReplicateSums::AreFull() const
   std::atomic<bool> full = false;
   for (const SideSums* sums : { &this->front, &this->back })
   {
-    ForEach(sums->Vertices(),
-      [&](std::size_t v)
+    const std::size_t vertices = sums->Vertices();
+    ForEach(vertices,
+      [&, vertices, sums = sums](std::size_t v)
       {
         FixedPoint sum = 0;
         for (const std::vector<FixedPoint>& weights : sums->weights)
         {
-          for (std::size_t slot = v; slot < weights.size(); slot += sums->Vertices())
+          for (std::size_t slot = v; slot < weights.size(); slot += vertices)
           {
             sum += weights[slot];
           }

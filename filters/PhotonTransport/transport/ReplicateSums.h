@@ -4,6 +4,7 @@
 #include "PhotonTransport/registration/IlluminationMap.h"
 #include "PhotonTransport/registration/IlluminationSums.h"
 #include "PhotonTransport/statistics/GroupMeans.h"
+#include "PhotonTransport/transport/MapScale.h"
 #include "PhotonTransport/transport/SideSums.h"
 
 #include <array>
@@ -12,18 +13,6 @@
 
 namespace PhotonTransport
 {
-
-/// What turns sums of weights into lux.
-struct MapScale
-{
-  double flux;                            ///< Of all photons as they were traced, lm.
-  const std::vector<double>& areas;       ///< [vertex] m^2.
-  const std::vector<float>& startWeights; ///< [source] See Emitter.
-};
-
-/// By which the light of each lamp counts in a map: its flux over the flux with which it was
-/// traced. Empty: all lamps count as they were traced, and the map is made of sums of integers.
-using LampFactors = std::vector<double>;
 
 /// What the replicates of a run have summed up, and the maps that follow from it.
 struct ReplicateSums

@@ -22,7 +22,7 @@ void SideSums::Add(std::size_t replicate, std::vector<VertexSums>& sums)
   ForEach(this->Slots(),
     [&](std::size_t v)
     {
-      if (sums[v].hits == 0 && sums[v].direct == 0 &&
+      if (this->lamps > 1 && sums[v].hits == 0 && sums[v].direct == 0 &&
         sums[v].indirect == 0) // as are most slots of many lamps after a slice
       {
         return;
