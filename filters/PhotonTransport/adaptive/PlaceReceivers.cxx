@@ -68,6 +68,7 @@ void PlaceReceivers::Make(
       return; // the other parts that have the point are of the same facet
     }
   }
+  receiver.SortStarts();
 }
 
 ReceiverStart PlaceReceivers::StartWithin(

@@ -225,7 +225,7 @@ void DirectLight::At(const Receiver& receiver, unsigned samples, std::uint32_t s
   {
     return;
   }
-  Task task{ receiver, LightSampler::PointOf(receiver), seed, index, samples };
+  Task task{ receiver, receiver.Middle(), seed, index, samples };
   this->AddPointLike(task, result);
   if (this->Sampler.Pieces().Near().size() > MostApart)
   {

@@ -126,7 +126,7 @@ double Gatherer::GatherGuided(
 double Gatherer::GatherThroughOpenings(
   const Receiver& at, std::uint64_t receiver, ReceivedLight& light)
 {
-  const SeenOpenings seen(this->Gathered.openings, at.starts.front().origin);
+  const SeenOpenings seen(this->Gathered.openings, glm::vec3(at.Middle()));
   double variance = 0.0;
   for (std::uint32_t o = 0; o < this->Gathered.openings.List().size(); ++o)
   {

@@ -79,7 +79,7 @@ Colour SampleOfAllLamps(
     return Colour(0.0f);
   }
   const LightTree::Cut cut =
-    sampler.Tree().CutAt(LightSampler::PointOf(receiver), glm::dvec3(receiver.normal), Nodes);
+    sampler.Tree().CutAt(receiver.Middle(), glm::dvec3(receiver.normal), Nodes);
   const LampChoice choice(sampler, receiver, cut.Brightness() * sampler.PerSceneArea() / Pi);
   double left = number;
   for (const LightPiece& piece : sampler.Pieces().FromAfar())

@@ -21,7 +21,7 @@ std::optional<LightSample> LightSampler::Of(
   const Receiver& receiver, const LightPiece& piece, const glm::vec2& place, double weight) const
 {
   const glm::dvec3 point =
-    piece.numbers == PlaceNumbers::None ? glm::dvec3(receiver.position) : PointOf(receiver);
+    piece.numbers == PlaceNumbers::None ? glm::dvec3(receiver.position) : receiver.Middle();
   const Incidence light = this->AllPieces.Arriving(piece, point, place);
   if (!(light.perLumen > 0.0))
   {

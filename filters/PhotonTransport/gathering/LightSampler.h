@@ -44,14 +44,6 @@ public:
   /// Units of light that one lumen on one scene unit squared is.
   double PerSceneArea() const { return this->LightPerSceneArea; }
 
-  /// Where a receiver is for lamps that have an extent: a little within a facet. At a vertex in the
-  /// edge of a wall that shines it sees half of the sky bright, and at the vertex itself, which
-  /// lies in the wall's plane, nothing.
-  static glm::dvec3 PointOf(const Receiver& receiver)
-  {
-    return glm::dvec3(receiver.starts.front().origin);
-  }
-
   /// Nothing if no light can arrive. @param place In the unit square. @param weight By which the
   /// light is multiplied.
   std::optional<LightSample> Of(const Receiver& receiver, const LightPiece& piece,

@@ -4,6 +4,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
+#include <tuple>
 #include <vector>
 
 namespace PhotonTransport
@@ -28,6 +30,32 @@ struct Receiver
   glm::vec3 position{ 0.0f };        ///< The point itself, for lamps without an extent.
 
   bool IsInFreeSpace() const { return this->normal == glm::vec3(0.0f); }
+
+  /// Gives the starts an order that follows from their places. In that of the facets, what comes
+  /// first, and how sums are rounded, would depend on the order of the input.
+  void SortStarts()
+  {
+    const auto before = [](const ReceiverStart& a, const ReceiverStart& b)
+    {
+      const glm::vec3& p = a.origin;
+      const glm::vec3& q = b.origin;
+      return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+    };
+    std::sort(this->starts.begin(), this->starts.end(), before);
+  }
+
+  /// Where the receiver is for lamps and openings that have an extent: in the middle of its starts,
+  /// of which there must be one. At a vertex in the edge of a wall that shines this place sees the
+  /// wall. The vertex itself, which lies in the wall's plane, would see nothing of it.
+  glm::dvec3 Middle() const
+  {
+    glm::dvec3 sum(0.0);
+    for (const ReceiverStart& start : this->starts)
+    {
+      sum += glm::dvec3(start.origin);
+    }
+    return sum / static_cast<double>(this->starts.size());
+  }
 
   /// By how much light from a direction counts; not above 0 if it does not. @param direction Unit.
   float Counts(const glm::vec3& direction) const

@@ -70,6 +70,7 @@ void VertexReceivers::Make(std::uint32_t vertex, bool front, Receiver& receiver)
     receiver.starts.push_back({ this->LitScene.SafeOrigin(f, barycentric, front),
       front ? facet.normal : -facet.normal, length > 0.0f ? into / length : glm::vec3(0.0f) });
   }
+  receiver.SortStarts();
 }
 
 } // namespace PhotonTransport
