@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Choices by tables: of directions, and among many.
+// Choices by tables: of directions, among many, and of intervals.
 #include "PhotonTransport/lights/DirectionTable.h"
 #include "PhotonTransport/lights/FluxTable.h"
+#include "PhotonTransport/lights/IntervalSearch.h"
 
 #include "RandomNumbers.h"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
 using namespace PhotonTransport;
@@ -127,6 +129,33 @@ TEST(FluxTable, NeverChoosesWhatHasNoFlux)
       const std::size_t chosen = chooser.At(place);
       ASSERT_GT(fluxes[chosen], 0.0);
       ASSERT_TRUE(place >= chooser.Begin(chosen) && place < chooser.End(chosen));
+    }
+  }
+}
+
+// The same interval as a search by halves finds, at the edges and beyond them, too.
+TEST(IntervalSearch, FindsTheIntervalsOfUnevenLists)
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> number(0.0, 1.0);
+  for (const std::size_t intervals : { 1u, 2u, 7u, 90u })
+  {
+    std::vector<double> edges{ -0.3 };
+    for (std::size_t i = 0; i < intervals; ++i)
+    {
+      edges.push_back(edges.back() + 0.001 + std::pow(number(random), 4.0));
+    }
+    std::vector<double> values = edges;
+    values.insert(values.end(), { edges.front() - 1.0, edges.back() + 1.0 });
+    for (int i = 0; i < 1000; ++i)
+    {
+      values.push_back(edges.front() + (edges.back() - edges.front()) * number(random));
+    }
+    const IntervalSearch search(edges);
+    for (const double value : values)
+    {
+      const auto end = std::upper_bound(edges.begin() + 1, edges.end() - 1, value);
+      EXPECT_EQ(search.EndOf(value), static_cast<std::size_t>(end - edges.begin())) << value;
     }
   }
 }

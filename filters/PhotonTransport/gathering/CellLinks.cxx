@@ -26,6 +26,7 @@ struct MeetingSink
   {
     this->met.Add(SideIndex(cell, front));
   }
+  void OnFollowed(const GatherFlight&, std::uint32_t, bool) {}
   void OnCaustics(const GatherFlight&, std::uint32_t, bool) {}
   void OnLamp(const GatherFlight&, const Colour&, std::uint32_t) {}
 };
@@ -105,7 +106,7 @@ CellLinks::CellLinks(const GatherScene& scene, const Viewers& viewers, const Eff
       }
     },
     Grain);
-  this->Seen = met.List([&](std::uint32_t side) { return !this->Shares.Of(side).IsBlack(); });
+  this->Seen = met.List([&](std::uint32_t side) { return !this->Shares.IsBlack(side); });
 }
 
 /// A few rays, spread over all directions.
@@ -150,7 +151,7 @@ LinkTable CellLinks::FindLinks(
   placeOf.assign(this->Gathered.cells.Number() * 2, NoSide);
   const LinkTracer tracer(this->Gathered, this->Shares, exitance, this->Strata, met);
   const auto isNew = [&](std::uint32_t side)
-  { return placeOf[side] == NoSide && !this->Shares.Of(side).IsBlack(); };
+  { return placeOf[side] == NoSide && !this->Shares.IsBlack(side); };
   std::vector<std::uint32_t> next = met.List(isNew);
   // Most sides are among the first. Memory that is not written to costs nothing.
   LinkTable table = tracer.EmptyFor(std::min(placeOf.size(), 2 * next.size()));
@@ -208,7 +209,7 @@ void CellLinks::Solve(CellExitance& exitance) const
   const std::vector<float> leaving = solver.Leaving(arriving);
   for (std::uint32_t side = 0; side < placeOf.size(); ++side)
   {
-    exitance.known[side] = placeOf[side] != NoSide || this->Shares.Of(side).IsBlack();
+    exitance.known[side] = placeOf[side] != NoSide || this->Shares.IsBlack(side);
   }
   const std::size_t perSide = exitance.Replicates() * table.values;
   ForEach(table.sides.size(),

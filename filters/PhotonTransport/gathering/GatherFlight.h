@@ -29,6 +29,10 @@ struct GatherFlight
   bool branched = false; ///< It has left a diffuse facet near by towards an opening.
   bool direct = true;    ///< Only clear panes so far.
   LightThrough through{};
+  /// Only diffuse facets near the receiver so far, from which it is followed in place of reading
+  /// their cells.
+  bool close = true;
+  bool expected = false;   ///< A cell has told what light to expect; see GatherWalk.
   bool undeflected = true; ///< Only clear panes since the receiver or the last diffuse facet.
 };
 

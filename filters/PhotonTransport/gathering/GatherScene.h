@@ -12,6 +12,9 @@
 namespace PhotonTransport
 {
 
+/// Up to how many of its lengths away a cell may be near; see GatherWalk.
+constexpr float NearCells = 2.0f;
+
 /// What gathering rays are followed through. All must outlive it.
 struct GatherScene
 {

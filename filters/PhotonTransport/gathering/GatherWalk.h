@@ -4,6 +4,7 @@
 #include "PhotonTransport/gathering/GatherFlight.h"
 #include "PhotonTransport/gathering/GatherScene.h"
 #include "PhotonTransport/gathering/GatherSequence.h"
+#include "PhotonTransport/gathering/NearGuide.h"
 #include "PhotonTransport/gathering/Receiver.h"
 #include "PhotonTransport/geometry/Pi.h"
 #include "PhotonTransport/materials/BackwardScattering.h"
@@ -33,6 +34,7 @@ namespace PhotonTransport
 ///  - NearUpTo(cell, front, length): the distance within which a cell of that length may be near
 ///  - OnCell(flight, cell, front): the diffuse exitance of a side of a cell
 ///  - OnLamp(flight, lux, lamp): light that a lamp sends where the ray ends
+///  - OnFollowed(flight, cell, front): a side close to the receiver from which the ray is followed
 ///  - OnCaustics(flight, cell, front): the caustics on a side of a cell
 template <class Sink>
 class GatherWalk
@@ -44,9 +46,11 @@ public:
   }
 
   /// @param rays At most 2^16. Those without a direction are left out. @param through [ray]
+  /// @param onwards By which rays go on from facets close to the receiver; by the cosine if null.
   void Follow(const std::vector<Ray>& rays, const std::vector<LightThrough>& through,
-    const GatherSequence& sequence, Sink& sink)
+    const GatherSequence& sequence, Sink& sink, const NearGuide* onwards = nullptr)
   {
+    this->Onwards = onwards;
     this->Start(rays, through);
     while (!this->Rays.empty())
     {
@@ -107,6 +111,7 @@ private:
     bool front;
     bool counts; ///< Whether the light of this facet is wanted; else it is on the way there.
     bool near;   ///< The ray is followed wholly, in place of reading the cell.
+    bool close;  ///< The facet is close to the receiver.
   };
 
   /// The side that a ray meets, as photons find it, so that it reads the cell on which they were
@@ -140,7 +145,7 @@ private:
     }
     const bool front = this->MeetsFront(ray, hit);
     const bool counts = !flight.through.IsOpening();
-    Meeting at{ hit, g.cells.At(hit.facet, hit.barycentric), front, counts, false };
+    Meeting at{ hit, g.cells.At(hit.facet, hit.barycentric), front, counts, false, false };
     const Roulette& material = g.materials.roulettes[g.materials.ofFacet[hit.facet]];
     const float nearUpTo = sink.NearUpTo(at.cell, front, g.cells.Length(hit.facet));
     const bool ends = (distance >= nearUpTo || !counts) && ScattersOnlyDiffusely(material);
@@ -151,6 +156,12 @@ private:
         g.seed, flight.ray, flight.order, flight.branched ? sequence.OfBranch : 0u);
       at.near = counts && distance < (1.0f - UnitFloat(bits[3])) * nearUpTo &&
         flight.order + 1 < g.maximumPathLength;
+      at.close = at.near && flight.close && distance < NearCells * g.cells.Length(hit.facet);
+    }
+    if (at.close && !flight.expected)
+    {
+      sink.OnFollowed(flight, at.cell, front);
+      flight.expected = true;
     }
     if (!at.near && counts)
     {
@@ -168,8 +179,8 @@ private:
     const GatherScene& g = this->Gathered;
     const glm::vec3& facetNormal = g.scene.Facets()[at.hit.facet].normal;
     const glm::vec3 normal = at.front ? facetNormal : -facetNormal;
-    const FollowedRay next = FollowBack(material,
-      { bits[0], UnitFloat(bits[1]), UnitFloat(bits[2]) }, ray.direction, normal, at.front);
+    const ScatteringSample sample{ bits[0], UnitFloat(bits[1]), UnitFloat(bits[2]) };
+    const FollowedRay next = FollowBack(material, sample, ray.direction, normal, at.front);
     const bool diffuse = IsDiffuse(next.how);
     if (!next.goesOn || (g.switchedOn & SetOf(next.how)) == 0 || (diffuse && !at.near) ||
       ++flight.order >= g.maximumPathLength || (!at.counts && !next.undeflected))
@@ -180,6 +191,7 @@ private:
     flight.direct = flight.direct && next.undeflected;
     flight.undeflected = diffuse || (flight.undeflected && next.undeflected);
     flight.through = flight.undeflected ? flight.through : LightThrough();
+    flight.close = flight.close && diffuse;
     const bool leavesFront = at.front == next.sameSide;
     ray = { g.scene.SafeOrigin(at.hit, leavesFront), next.direction };
     if (diffuse)
@@ -189,6 +201,13 @@ private:
       this->Near.position = ray.origin;
       this->ReceiveNear(flight, ray, sequence, sink);
       sink.OnCaustics(flight, at.cell, leavesFront);
+      if (at.close && this->Onwards)
+      {
+        const NearGuide::Way way = this->Onwards->At(this->Near.normal, sample.u, sample.v);
+        ray.direction = way.direction;
+        flight.weight *= way.weight;
+        return way.weight > 0.0f;
+      }
     }
     return true;
   }
@@ -270,6 +289,7 @@ private:
   std::vector<Ray> BranchRays;
   std::vector<Sharer> Sharers;
   Receiver Near;
+  const NearGuide* Onwards = nullptr;
 };
 
 } // namespace PhotonTransport

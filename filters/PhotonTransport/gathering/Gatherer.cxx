@@ -92,12 +92,7 @@ double Gatherer::Probe(
       share / static_cast<double>(side * side));
   }
   this->Follow({ LightThrough::NoOpening }, sequence, light);
-  this->Found.clear();
-  for (const glm::vec2& found : this->Reader.FoundByRays())
-  {
-    this->Found.push_back(0.5f * (found.x + found.y));
-  }
-  this->Directions.Set(side, this->Found);
+  this->Directions.Set(side, this->Reader.ExpectedOfRays());
   return this->VarianceOfRays(side);
 }
 
@@ -117,7 +112,8 @@ double Gatherer::GatherGuided(
     this->AddRay(
       at, frame.ToWorld(CosineHemisphere(guided.place.x, guided.place.y)), ofRay / guided.density);
   }
-  this->Follow({ LightThrough::NoOpening }, sequence, light);
+  const NearGuide onwards(this->Directions, frame);
+  this->Follow({ LightThrough::NoOpening }, sequence, light, &onwards);
   return this->VarianceOfRays(side);
 }
 
@@ -162,12 +158,12 @@ double Gatherer::GatherThrough(std::uint32_t opening, const SeenOpening& seen, s
 }
 
 /// Adds the light of all rays.
-void Gatherer::Follow(
-  const LightThrough& through, const GatherSequence& sequence, ReceivedLight& light)
+void Gatherer::Follow(const LightThrough& through, const GatherSequence& sequence,
+  ReceivedLight& light, const NearGuide* onwards)
 {
   this->Reader.Start(this->Factors, light);
   this->Through.assign(this->Rays.size(), through);
-  this->Walk.Follow(this->Rays, this->Through, sequence, this->Reader);
+  this->Walk.Follow(this->Rays, this->Through, sequence, this->Reader, onwards);
 }
 
 /// @param direction Zero for a ray that is left out. @param factor By which what it finds counts.

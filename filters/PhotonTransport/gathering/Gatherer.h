@@ -58,7 +58,9 @@ private:
   double GatherThrough(std::uint32_t opening, const SeenOpening& seen, std::size_t side,
     const Receiver& at, std::uint64_t receiver, ReceivedLight& light);
   void AddRay(const Receiver& at, const glm::vec3& direction, double factor);
-  void Follow(const LightThrough& through, const GatherSequence& sequence, ReceivedLight& light);
+  /// @param onwards See GatherWalk.
+  void Follow(const LightThrough& through, const GatherSequence& sequence, ReceivedLight& light,
+    const NearGuide* onwards = nullptr);
   double VarianceOfRays(std::size_t side) const;
 
   GatherScene Gathered;
@@ -70,8 +72,7 @@ private:
   DirectResult OfLamps;
   std::vector<Ray> Rays;
   std::vector<LightThrough> Through; ///< [ray]
-  std::vector<float> Found;
-  std::vector<float> Factors; ///< [ray] By how much its light counts.
+  std::vector<float> Factors;        ///< [ray] By how much its light counts.
 };
 
 } // namespace PhotonTransport

@@ -3,6 +3,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -28,6 +29,15 @@ public:
   /// Well spread numbers give well spread places: the first decides the row, the second the column.
   /// @param u, v In [0, 1).
   GuidedPlace At(float u, float v) const;
+
+  /// The density with which At draws a place; 1 on average over the square.
+  float DensityAt(const glm::vec2& place) const
+  {
+    const auto size = static_cast<float>(this->Size);
+    const auto cell = [&](float x)
+    { return std::min(static_cast<std::size_t>(std::max(0.0f, x) * size), this->Size - 1); };
+    return this->Shares[cell(place.x) * this->Size + cell(place.y)] * size * size;
+  }
 
 private:
   void Smooth(const std::vector<float>& values);

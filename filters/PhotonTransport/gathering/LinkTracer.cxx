@@ -42,7 +42,7 @@ struct LinkTracer::Sink
   void OnCell(const GatherFlight& flight, std::uint32_t cell, bool front)
   {
     const auto side = static_cast<std::uint32_t>(SideIndex(cell, front));
-    if (this->shares.Of(side).IsBlack())
+    if (this->shares.IsBlack(side))
     {
       return;
     }
@@ -53,6 +53,7 @@ struct LinkTracer::Sink
       this->table.weights.push_back(this->ShareOf(flight, c));
     }
   }
+  void OnFollowed(const GatherFlight&, std::uint32_t, bool) {}
   void OnCaustics(const GatherFlight&, std::uint32_t, bool) {}
   void OnLamp(const GatherFlight& flight, const Colour& lux, std::uint32_t lamp)
   {

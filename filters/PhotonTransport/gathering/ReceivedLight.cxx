@@ -34,6 +34,21 @@ void LightReader::OnCell(const GatherFlight& flight, std::uint32_t cell, bool fr
   }
 }
 
+void LightReader::OnFollowed(const GatherFlight& flight, std::uint32_t cell, bool front)
+{
+  const float* ofCell = this->Exitance.leaving.Of(SideIndex(cell, front));
+  double mean = 0.0;
+  for (const double share : this->Exitance.shareOf)
+  {
+    for (int c = 0; c < static_cast<int>(this->Exitance.channels); ++c)
+    {
+      mean += share * double{ flight.weight[c] } * *ofCell++;
+    }
+  }
+  constexpr float Noisy = 2.0f; // what is found there by one ray is noise for the most part
+  this->Expected[flight.ray] += Noisy * static_cast<float>(mean);
+}
+
 void LightReader::OnCaustics(const GatherFlight& flight, std::uint32_t cell, bool front)
 {
   if (const float* caustics = this->Exitance.caustic.Of(SideIndex(cell, front)))
@@ -51,7 +66,7 @@ void LightReader::OnLamp(const GatherFlight& flight, const Colour& lux, std::uin
   const double factor = this->Factors[flight.ray];
   const Colour weighed = flight.weight * lux;
   const double sum = SumOfChannels(weighed);
-  this->Found[flight.ray] += static_cast<float>(sum);
+  this->AddFound(flight, glm::vec2(static_cast<float>(sum)));
   this->Light->channels += factor * glm::dvec3(weighed);
   if (flight.direct)
   {
@@ -87,7 +102,7 @@ void LightReader::AddOneChannel(const GatherFlight& flight, const float* ofCell)
     halves[r % 2] += ofHalf[r] * ofCell[r];
   }
   this->Light->channels.x += factor * mean;
-  this->Found[flight.ray] += flight.weight.x * glm::vec2(halves[0], halves[1]);
+  this->AddFound(flight, flight.weight.x * glm::vec2(halves[0], halves[1]));
 }
 
 /// @param ofCell [replicate][channel]
@@ -111,7 +126,7 @@ void LightReader::Add(const GatherFlight& flight, const float* ofCell)
       halves[static_cast<int>(r % 2)] += this->ShareOfHalf[r] * lux;
     }
   }
-  this->Found[flight.ray] += glm::vec2(halves);
+  this->AddFound(flight, glm::vec2(halves));
 }
 
 /// @param ofCell [channel][lamp]

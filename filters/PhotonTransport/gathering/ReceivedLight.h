@@ -36,8 +36,7 @@ struct ReceivedLight
 /// @param length Of the cell.
 inline float NearUpTo(const CellExitance& exitance, std::size_t side, float length)
 {
-  constexpr float NearCells = 2.0f; // lengths
-  constexpr float Anywhere = 1e6f;  // where nothing is known
+  constexpr float Anywhere = 1e6f; // where nothing is known
   return exitance.known[side] != 0 ? NearCells * length : Anywhere;
 }
 
@@ -56,7 +55,11 @@ public:
     this->Factors = factors.data();
     this->Light = &light;
     this->Found.assign(factors.size(), glm::vec2(0.0f));
+    this->Expected.assign(factors.size(), 0.0f);
   }
+  /// [ray] What to expect, without the factors: what was found, but of facets close to the
+  /// receiver what the map tells of them, since a ray that is followed from there tells little.
+  const std::vector<float>& ExpectedOfRays() const { return this->Expected; }
   /// [ray] What was found, without the factors, by the even and by the odd replicates.
   const std::vector<glm::vec2>& FoundByRays() const { return this->Found; }
 
@@ -66,10 +69,20 @@ public:
     return PhotonTransport::NearUpTo(this->Exitance, SideIndex(cell, front), length);
   }
   void OnCell(const GatherFlight& flight, std::uint32_t cell, bool front);
+  void OnFollowed(const GatherFlight& flight, std::uint32_t cell, bool front);
   void OnCaustics(const GatherFlight& flight, std::uint32_t cell, bool front);
   void OnLamp(const GatherFlight& flight, const Colour& lux, std::uint32_t lamp);
 
 private:
+  /// Adds what even and odd replicates have found.
+  void AddFound(const GatherFlight& flight, const glm::vec2& found)
+  {
+    this->Found[flight.ray] += found;
+    if (!flight.expected)
+    {
+      this->Expected[flight.ray] += 0.5f * (found.x + found.y);
+    }
+  }
   void Add(const GatherFlight& flight, const float* ofCell);
   void AddOneChannel(const GatherFlight& flight, const float* ofCell);
   void AddByLamp(const GatherFlight& flight, const float* ofCell);
@@ -78,6 +91,7 @@ private:
   const float* Factors = nullptr;
   ReceivedLight* Light = nullptr;
   std::vector<glm::vec2> Found;
+  std::vector<float> Expected;
   /// [replicate] Its share in the mean of the even or the odd replicates.
   std::vector<double> ShareOfHalf;
 };

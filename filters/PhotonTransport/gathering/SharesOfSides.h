@@ -6,6 +6,7 @@
 #include "PhotonTransport/registration/FacetCells.h"
 #include "PhotonTransport/scene/Scene.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,8 @@ public:
     : LitScene(scene)
     , Cells(cells)
     , OfMaterials(SharesOf(scene.Materials(), effects))
+    , SomeAreBlack(std::any_of(this->OfMaterials.begin(), this->OfMaterials.end(),
+        [](const DiffuseShares& shares) { return shares.IsBlack(); }))
   {
   }
 
@@ -28,11 +31,14 @@ public:
   {
     return this->OfMaterials[this->LitScene.MaterialOfFacet()[this->Cells.FacetOf(CellOf(side))]];
   }
+  /// The facet of a cell takes a search, which is left out where no material is black.
+  bool IsBlack(std::uint32_t side) const { return this->SomeAreBlack && this->Of(side).IsBlack(); }
 
 private:
   const Scene& LitScene;
   const FacetCells& Cells;
   std::vector<DiffuseShares> OfMaterials;
+  bool SomeAreBlack;
 };
 
 } // namespace PhotonTransport

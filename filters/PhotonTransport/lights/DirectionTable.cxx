@@ -58,7 +58,9 @@ double LinearInverse(double f0, double f1, double share)
 
 DirectionTable::DirectionTable(
   std::vector<double> polar, std::vector<double> azimuth, std::vector<double> values)
-  : Azimuth(std::move(azimuth))
+  : PolarSearch(polar)
+  , AzimuthSearch(azimuth)
+  , Azimuth(std::move(azimuth))
 {
   const std::size_t columns = this->Azimuth.size();
   this->Nodes.reserve(polar.size() * columns);
@@ -206,9 +208,10 @@ double DirectionTable::Value(const glm::dvec2& angles) const
     return 0.0;
   }
   azimuth = std::clamp(azimuth, first, this->Azimuth.back());
-  const auto ring = std::upper_bound(this->Rings.begin() + 1, this->Rings.end() - 1, polar,
-    [](double angle, const Ring& r) { return angle < r.angle; });
-  const auto column = std::upper_bound(this->Azimuth.begin() + 1, this->Azimuth.end() - 1, azimuth);
+  const auto ring =
+    this->Rings.begin() + static_cast<std::ptrdiff_t>(this->PolarSearch.EndOf(polar));
+  const auto column =
+    this->Azimuth.begin() + static_cast<std::ptrdiff_t>(this->AzimuthSearch.EndOf(azimuth));
   const double below =
     std::clamp((polar - ring[-1].angle) / (ring->angle - ring[-1].angle), 0.0, 1.0);
   const double beside = (azimuth - column[-1]) / (*column - column[-1]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "PhotonTransport/lights/FluxTable.h"
+#include "PhotonTransport/lights/IntervalSearch.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -59,6 +60,7 @@ private:
   double PolarAt(double share, std::size_t& band) const;
   double AzimuthAt(std::size_t band, double below, double share) const;
 
+  IntervalSearch PolarSearch, AzimuthSearch; ///< For Value.
   std::vector<double> Azimuth;
   std::vector<Ring> Rings;
   std::vector<Node> Nodes; ///< [ring][azimuth]

@@ -37,6 +37,21 @@ inline glm::vec2 ConcentricDisk(float u, float v)
               : glm::vec2(radius * sine, radius * cosine);
 }
 
+/// The place in the unit square that ConcentricDisk maps to a point of the unit disk.
+inline glm::vec2 SquareOfDisk(const glm::vec2& p)
+{
+  constexpr float FourByPi = 1.27323954473516269f;
+  const bool wide = std::fabs(p.x) > std::fabs(p.y);
+  const float radius = std::copysign(std::sqrt(p.x * p.x + p.y * p.y), wide ? p.x : p.y);
+  if (radius == 0.0f)
+  {
+    return { 0.5f, 0.5f };
+  }
+  const float other = radius * FourByPi * std::atan(wide ? p.y / p.x : p.x / p.y);
+  const glm::vec2 both = wide ? glm::vec2(radius, other) : glm::vec2(other, radius);
+  return { 0.5f + 0.5f * both.x, 0.5f + 0.5f * both.y };
+}
+
 inline float SquaredRadius(const glm::vec2& p)
 {
   return std::min(1.0f, p.x * p.x + p.y * p.y);

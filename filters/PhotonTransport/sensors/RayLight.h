@@ -36,6 +36,7 @@ public:
   {
     this->Add(flight, this->Exitance.leaving.Of(SideIndex(cell, front)));
   }
+  void OnFollowed(const GatherFlight&, std::uint32_t, bool) {}
   void OnCaustics(const GatherFlight& flight, std::uint32_t cell, bool front)
   {
     if (const float* caustics = this->Exitance.caustic.Of(SideIndex(cell, front)))
