@@ -61,6 +61,47 @@ TEST(Run, GoingOnGivesTheBitsOfARunInOneGo)
   EXPECT_TRUE(parts.CanGoOn());
 }
 
+// The map of the photons alone has all their light, caustics once, in a closed room whose walls
+// mirror, too. What follows has the bits of a run without it.
+TEST(Run, APreliminaryMapHasAllLightAndLeavesNoTrace)
+{
+  Surface ball = Shapes::Icosphere(2, Shapes::Facing::Inward);
+  ball.materials = { Material() };
+  ball.materials[0].diffuseReflectance = Colour(0.4f);
+  ball.materials[0].specularReflectance = Colour(0.4f);
+  ball.materialOfFacet.assign(ball.facets.size(), 0);
+  const Scene scene(ball);
+  const PointLamp lamp{ { 0.3, -0.2, 0.1 }, 1000.0 };
+  StopRules rules{ 50'000 };
+  TraceSettings settings;
+  settings.registration = Registration::Flat; // by which the sum over vertices is that over facets
+  IlluminationRun photons(scene, lamp, settings);
+  photons.Advance(rules);
+  EXPECT_FALSE(photons.IsPreliminary());
+  settings.method = Method::FinalGathering;
+  settings.gatherRays = 16;
+  IlluminationRun once(scene, lamp, settings);
+  once.Advance(rules);
+  IlluminationRun run(scene, lamp, settings);
+  rules.preliminary = true;
+  for (int time = 0; time < 2; ++time) // the second has nothing to trace
+  {
+    EXPECT_EQ(run.Advance(rules), StopReason::PhotonLimit);
+    EXPECT_TRUE(run.IsPreliminary());
+    EXPECT_TRUE(run.Rounds().empty());
+    const double flux = RegisteredFlux(scene, photons.Front());
+    EXPECT_NEAR(RegisteredFlux(scene, run.Front()), flux, 1e-5 * flux);
+  }
+  const IlluminationMap first = run.Front();
+  EXPECT_GT(
+    *std::max_element(first.caustic.begin(), first.caustic.end()), 0.0); // or nothing is shown
+  rules.preliminary = false;
+  EXPECT_EQ(run.Advance(rules), StopReason::PhotonLimit);
+  EXPECT_FALSE(run.IsPreliminary());
+  EXPECT_EQ(run.Rounds().size(), 1u);
+  ExpectSame(run.Front(), once.Front());
+}
+
 TEST(Run, StopsAtTheFirstRuleReached)
 {
   const Scene scene = Room(0.6f);

@@ -697,10 +697,10 @@ public:
   ///@{
   /**
    * Whether a window, which calls GetNeedsUpdate now and then, gets a first map of 65,536 photons
-   * at once, and a better one at each doubling of the photons while the run goes on in the
-   * background. StoppedBy, of the field data, then says that the run goes on. The last map has the
-   * bits of a run without this. Scripts, which do not call GetNeedsUpdate, and several ranks get
-   * the last map alone. Default: on.
+   * at once (by Final Gathering one of these photons alone, which Notes says), and a better one at
+   * each doubling of the photons while the run goes on in the background. StoppedBy, of the field
+   * data, then says that the run goes on. The last map has the bits of a run without this. Scripts,
+   * which do not call GetNeedsUpdate, and several ranks get the last map alone. Default: on.
    */
   virtual void SetProgressive(bool on) { this->SetAndKeepRun(this->Progressive, on); }
   vtkGetMacro(Progressive, bool);

@@ -50,9 +50,16 @@ StopReason vtkIlluminationMap::AdvanceRun(
   PhotonTransport::StopRules next = rules;
   // Ranks would have to agree on when to look.
   const bool isLive = this->Progressive && this->IsWatched && !this->GetRanks().AreSeveral();
+  // Light of lamps apart is not known before the second pass.
+  const bool preliminary = isLive && run.IsPreliminary() && !this->LampContributions;
   if (isLive)
   {
     next.photons = std::min(rules.photons, std::max(FirstPicture, run.Balance().emitted));
+  }
+  if (preliminary)
+  {
+    next.preliminary = true;
+    next.relativeError = 0.0; // towards which the second pass counts
   }
   run.ShareWith(this->GetRanks());
   const StopReason reason = run.Advance(next,
@@ -62,7 +69,8 @@ StopReason vtkIlluminationMap::AdvanceRun(
         (progress.isGathering ? "Gathering light, " : "Tracing photons, ") +
           std::to_string(std::lround(progress.secondsLeft)) + " s left");
     });
-  if (reason == StopReason::PhotonLimit && next.photons < rules.photons)
+  const bool goesOn = next.photons < rules.photons || (preliminary && run.IsPreliminary());
+  if (reason == StopReason::PhotonLimit && goesOn)
   {
     return StopReason::Paused;
   }
@@ -70,12 +78,13 @@ StopReason vtkIlluminationMap::AdvanceRun(
   return reason;
 }
 
-/// Goes on to twice the photons.
+/// Goes on to twice the photons, or to the second pass if there is none yet.
 void vtkIlluminationMap::StartBackground(PhotonTransport::StopRules rules)
 {
   PhotonTransport::IlluminationRun& run = this->Kept->Run;
   run.WorkAlone(); // the ranks end with the execution
-  rules.photons = std::min(rules.photons, 2 * run.Balance().emitted);
+  const std::uint64_t emitted = run.Balance().emitted;
+  rules.photons = std::min(rules.photons, run.IsPreliminary() ? emitted : 2 * emitted);
   this->Kept->Background.Start(std::move(rules));
 }
 

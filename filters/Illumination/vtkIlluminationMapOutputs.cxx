@@ -63,6 +63,11 @@ void vtkIlluminationMap::WriteMap(const SceneBlocks& blocks,
   notes.insert(notes.end(), missing.notes.begin(), missing.notes.end());
   const std::vector<std::string> onFiles = NotesOn(lighting);
   notes.insert(notes.end(), onFiles.begin(), onFiles.end());
+  if (reason == PhotonTransport::StopReason::Paused && run.IsPreliminary())
+  {
+    notes.emplace_back("preliminary: the mean light on the triangles around each point, as the "
+                       "first photons tell it, in white; light at the points themselves follows");
+  }
   std::vector<std::string> warnings = WarningsOn(blocks, this->Kept->Scene);
   if (!missing.warning.empty())
   {

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace PhotonTransport
 {
@@ -21,8 +22,9 @@ namespace
 /// Length of cells in mean lengths of rays.
 constexpr float PerDistance = 1.0f / 14.0f;
 
-/// Rays on both sides of a facet, at most.
+/// Rays on both sides of a facet, at most and at least.
 constexpr std::size_t MostRays = 64;
+constexpr std::size_t FewRays = 8;
 
 /// What cells without anything to see, and all cells, are no longer than, in diagonals of the
 /// scene.
@@ -99,6 +101,15 @@ float MeanDistance(
   return (bothSides ? std::min(sums[0], sums[1]) : sums[0]) / (0.5f * static_cast<float>(rays));
 }
 
+/// Few for a facet that is no longer than a cell, and as many times more as there will be cells
+/// along and across a longer one, whose light depends on their length.
+std::size_t RaysFor(float edgeInCells)
+{
+  const float wanted = static_cast<float>(FewRays) * std::ceil(edgeInCells * edgeInCells);
+  return static_cast<std::size_t>(
+    std::clamp(wanted, static_cast<float>(FewRays), static_cast<float>(MostRays)));
+}
+
 } // namespace
 
 std::vector<float> CellLengths(const Scene& scene, bool bothSides)
@@ -111,16 +122,15 @@ std::vector<float> CellLengths(const Scene& scene, bool bothSides)
     lengths.size(),
     [&](std::size_t f)
     {
-      // A facet that is nearly as short as a useful cell needs no rays, a short one few.
+      // A facet that is nearly as short as a useful cell needs no rays.
       constexpr float Short = 1.0f / 6.0f;
       constexpr float Shortest = 1.0f / 16.0f;
-      constexpr std::size_t FewRays = 8;
       const auto facet = static_cast<std::uint32_t>(f);
       const float edge = LongestEdge(scene, facet);
       if (edge > Short * longest)
       {
         const float distance =
-          MeanDistance(scene, facet, edge > longest ? MostRays : FewRays, diagonal, bothSides);
+          MeanDistance(scene, facet, RaysFor(edge / longest), diagonal, bothSides);
         lengths[f] = std::max(Shortest * longest, std::min(longest, PerDistance * distance));
       }
     },

@@ -5,6 +5,7 @@
 #include "PhotonTransport/gathering/DirectLight.h"
 #include "PhotonTransport/gathering/GatherPass.h"
 #include "PhotonTransport/gathering/VertexReceivers.h"
+#include "PhotonTransport/materials/Colour.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,27 @@
 
 namespace PhotonTransport
 {
+namespace
+{
+
+/// The light on a side of a cell but for caustics.
+double WithoutCaustics(const CellExitance& exitance, std::size_t side)
+{
+  double light = exitance.illuminance[side];
+  if (const float* caustic = exitance.caustic.Of(side))
+  {
+    for (const double share : exitance.shareOf)
+    {
+      for (std::size_t c = 0; c < exitance.channels; ++c)
+      {
+        light -= share * double{ *caustic++ };
+      }
+    }
+  }
+  return std::max(0.0, light);
+}
+
+} // namespace
 
 FinalGathering::FinalGathering(const Scene& scene, const FacetCells& cells, const Emitter& source,
   const Openings& openings, const Effects& effects, const GatherSettings& settings)
@@ -66,6 +88,25 @@ bool FinalGathering::Gather(
   return done;
 }
 
+void FinalGathering::ShowFirstPass(const PhotonCounts& counts)
+{
+  this->OfFirstPass = true;
+  this->Workers.Run(
+    [&]
+    {
+      const CellExitance exitance =
+        ExitanceByPhotons(this->LitScene, this->Cells, this->EffectsInUse, counts);
+      const std::vector<std::uint8_t> none(this->LitScene.NumberOfMapVertices(), 0);
+      this->FrontMap = this->EmptyMap();
+      this->FillFromFacets(exitance, true, none, this->FrontMap);
+      if (this->Settings.backSide)
+      {
+        this->BackMap = this->EmptyMap();
+        this->FillFromFacets(exitance, false, none, this->BackMap);
+      }
+    });
+}
+
 bool FinalGathering::GatherSides(const GatherPass& pass, const Progress& progress)
 {
   const std::size_t vertices = this->LitScene.NumberOfMapVertices();
@@ -91,8 +132,9 @@ bool FinalGathering::GatherSides(const GatherPass& pass, const Progress& progres
       this->FillFromFacets(pass.Exitance(), side == 0, done, maps[side]);
     }
   }
-  if (goOn || this->FrontMap.direct.empty())
+  if (goOn || this->OfFirstPass || this->FrontMap.direct.empty())
   {
+    this->OfFirstPass = false;
     this->FrontMap = std::move(maps[0]);
     this->BackMap = std::move(maps[1]);
   }
@@ -123,28 +165,36 @@ GatheredMap FinalGathering::EmptyMap() const
 }
 
 /// Gives vertices that are not done the light on the facets around them, all of it as gathered
-/// light, and an error as large.
+/// light, and an error as large. Caustics are left out, since photons have brought them to
+/// vertices. Where there are colours it is white.
 void FinalGathering::FillFromFacets(const CellExitance& exitance, bool front,
   const std::vector<std::uint8_t>& done, GatheredMap& map) const
 {
-  for (std::uint32_t v = 0; v < done.size(); ++v)
-  {
-    if (done[v] != 0)
+  ForEach(done.size(),
+    [&](std::size_t v)
     {
-      continue;
-    }
-    double flux = 0.0;
-    double area = 0.0;
-    for (const std::uint32_t f : this->Receivers->Rings().Of(v))
-    {
-      const double ofFacet = glm::length(this->LitScene.AreaVectors()[f]);
-      this->Cells.ForEachOf(f,
-        [&](std::uint32_t cell, double share)
-        { flux += share * ofFacet * exitance.illuminance[SideIndex(cell, front)]; });
-      area += ofFacet;
-    }
-    map.gathered[v] = map.standardError[v] = area > 0.0 ? this->LuxPerUnit * flux / area : 0.0;
-  }
+      if (done[v] != 0)
+      {
+        return;
+      }
+      double flux = 0.0;
+      double area = 0.0;
+      for (const std::uint32_t f : this->Receivers->Rings().Of(static_cast<std::uint32_t>(v)))
+      {
+        const double ofFacet = glm::length(this->LitScene.AreaVectors()[f]);
+        this->Cells.ForEachOf(f,
+          [&](std::uint32_t cell, double share)
+          { flux += share * ofFacet * WithoutCaustics(exitance, SideIndex(cell, front)); });
+        area += ofFacet;
+      }
+      const double light = area > 0.0 ? this->LuxPerUnit * flux / area : 0.0;
+      map.gathered[v] = map.standardError[v] = light;
+      if (!map.channels.empty())
+      {
+        map.channels[v] = { light * double{ LuminousWeights.x },
+          light * double{ LuminousWeights.y }, light * double{ LuminousWeights.z } };
+      }
+    });
 }
 
 std::uint32_t RaysFor(std::uint64_t photons)

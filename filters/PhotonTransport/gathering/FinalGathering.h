@@ -63,6 +63,10 @@ public:
   /// none, those vertices that are not done have the mean light on the facets around them.
   bool Gather(const PhotonCounts& counts, std::uint32_t rays, const Progress& progress);
 
+  /// Makes maps of what the first pass has counted alone, until a second pass takes their place:
+  /// each vertex has the mean light on the facets around it, but for caustics.
+  void ShowFirstPass(const PhotonCounts& counts);
+
   /// Calls work(pass) on the threads, for light at more places than the vertices: with what photons
   /// have counted and so many rays it is the same light. The calling thread reports.
   void Run(const PhotonCounts& counts, std::uint32_t rays,
@@ -96,6 +100,7 @@ private:
   std::unique_ptr<DirectLight> DirectFromLamps;
   std::unique_ptr<VertexReceivers> Receivers;
   GatheredMap FrontMap, BackMap;
+  bool OfFirstPass = false; ///< Whether these are of the first pass alone.
   Ranks Alone;
   Ranks* Sharing = &this->Alone;
 };

@@ -70,6 +70,11 @@ StopReason IlluminationRun::Advance(const StopRules& rules, const ProgressMonito
     PredictCost(this->Rows.back(), this->Rows, rules.relativeError);
   }
   std::optional<StopReason> reason = this->RuleReached(rules);
+  if (reason == StopReason::PhotonLimit && rules.preliminary && this->IsPreliminary())
+  {
+    this->Second->ShowFirstPass(this->Sums);
+    return *reason;
+  }
   if (reason && this->Second && !this->Second->HasGathered(this->Sums))
   {
     // An abort has left photons without a second pass.
@@ -79,6 +84,13 @@ StopReason IlluminationRun::Advance(const StopRules& rules, const ProgressMonito
   while (!reason)
   {
     reason = this->TraceRound(rules, monitor);
+    if (!reason && rules.preliminary && this->IsPreliminary() &&
+      this->RuleReached(rules) == StopReason::PhotonLimit)
+    {
+      const Stopwatch stopwatch(this->SecondsTraced);
+      this->Second->ShowFirstPass(this->Sums);
+      return StopReason::PhotonLimit;
+    }
     if (!reason || (this->Second && !this->Second->HasGathered()))
     {
       const std::optional<StopReason> gathered = this->GatherRound(rules, monitor);
@@ -169,6 +181,11 @@ std::optional<StopReason> IlluminationRun::RuleReached(const StopRules& rules) c
     return StopReason::TimeLimit;
   }
   return std::nullopt;
+}
+
+bool IlluminationRun::IsPreliminary() const
+{
+  return this->Second && !this->Second->HasGathered();
 }
 
 bool IlluminationRun::CanGoOnTo(std::uint64_t photons) const

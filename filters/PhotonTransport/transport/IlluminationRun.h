@@ -79,6 +79,11 @@ public:
   /// no region.
   void SetRegion(const std::vector<double>& shares);
 
+  /// Whether the second pass of Method::FinalGathering has never been done to its end. The map then
+  /// is the mean light on the facets around each vertex, as photons tell it, where it has none of
+  /// its own, and there is no row of Rounds() for it. An error as large is told there.
+  bool IsPreliminary() const;
+
   /// False once an abort has left gaps in the sequences: the map is valid, but going on would not
   /// give the bits that a run in one go gives.
   bool CanGoOn() const { return this->WithoutGaps; }

@@ -40,6 +40,11 @@ public:
 
   /// See FinalGathering::Gather.
   bool Gather(const ReplicateSums& counted, const FinalGathering::Progress& progress);
+  /// See FinalGathering::ShowFirstPass.
+  void ShowFirstPass(const ReplicateSums& counted)
+  {
+    this->Gathering.ShowFirstPass(CountsOf(counted));
+  }
   /// See FinalGathering::Run.
   void Run(const ReplicateSums& counted, const std::function<void(const GatherPass& pass)>& work);
 

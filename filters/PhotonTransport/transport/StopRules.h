@@ -19,6 +19,9 @@ struct StopRules
   /// Whether FacetError counts in the relative error. A run whose facets alone exceed the target
   /// ends (StopReason::FacetsTooLarge). Without effect in Method::FinalGathering.
   bool countFacetError = false;
+  /// In Method::FinalGathering a run that has not gathered any light yet ends without a second pass
+  /// where it would end with one for its number of photons: see IlluminationRun::IsPreliminary.
+  bool preliminary = false;
   /// Asked between slices of the work on the thread that calls; true stops the run there, so that
   /// it can go on later (StopReason::Paused). Ranks that share a run must have none.
   std::function<bool()> stopSoon = nullptr;
