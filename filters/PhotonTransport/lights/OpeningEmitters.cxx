@@ -18,10 +18,10 @@ namespace PhotonTransport
 namespace
 {
 
-constexpr int Side = 32; ///< Cells along a side of the square of directions.
+constexpr int Side = 64; ///< Cells along a side of the square of directions.
 /// The sky is looked at in so many places along a side of a cell, from edge to edge. The cells at
-/// the horizon are 20 degrees high, and skies are brightest at its edge or rise towards it.
-constexpr int Looks = 5;
+/// the horizon are 14 degrees high, and skies are brightest at its edge or rise towards it.
+constexpr int Looks = 3;
 /// Just within the horizon.
 constexpr float Inset = 1e-6f;
 /// Of the bound over the largest radiance that is found in a cell and those around it: its steepest
@@ -34,6 +34,7 @@ struct Chosen
 {
   std::size_t index;
   double place; ///< Within [0, 1), a fresh uniform number.
+  double width; ///< Of the numbers that choose this one.
 };
 
 Chosen Choose(const FluxTable& table, double number)
@@ -42,7 +43,7 @@ Chosen Choose(const FluxTable& table, double number)
   const std::size_t index = table.At(number);
   const double begin = table.Begin(index);
   const double width = table.End(index) - begin;
-  return { index, std::clamp((number - begin) / width, 0.0, Last) };
+  return { index, std::clamp((number - begin) / width, 0.0, Last), width };
 }
 
 /// The largest radiance from anywhere, by a grid of a degree.
@@ -163,11 +164,15 @@ SkyThroughOpenings::SkyThroughOpenings(const Openings& openings, SkyRadiance rad
 
 Ray SkyThroughOpenings::Emit(const PhotonSample& sample, const Share& share) const
 {
-  const std::size_t opening = this->Choice.At(share.PlaceOf(sample));
+  const Chosen opening = Choose(this->Choice, share.PlaceOf(sample));
   const SkyCells::Sample sky =
-    this->Cells[opening]->At(double{ sample.Emission(2) }, double{ sample.Emission(3) });
-  const bool kept = double{ sample.KeepingNumber() } * sky.bound < this->Radiance(sky.direction);
-  return kept ? Ray{ PointOn(this->All[opening], sample), sky.direction } : NotKept;
+    this->Cells[opening.index]->At(double{ sample.Emission(2) }, double{ sample.Emission(3) });
+  // What is left of the choice decides, since it is as well spread as place and direction are. A
+  // random number stands for the digits that it has no more.
+  const double digit = 0x1p-32 / (share.width * opening.width);
+  const double number = opening.place + digit * double{ sample.KeepingNumber() };
+  const bool kept = number * sky.bound < this->Radiance(sky.direction);
+  return kept ? Ray{ PointOn(this->All[opening.index], sample), sky.direction } : NotKept;
 }
 
 ScatteredThroughOpenings::ScatteredThroughOpenings(const Openings& openings, SkyRadiance radiance)
