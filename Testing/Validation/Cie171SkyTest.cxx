@@ -155,8 +155,8 @@ TEST_P(EverySky, WithoutARoof)
   const CieSky sky{ { 0, 0, 1 }, type, Sun, 10'000.0 };
   const auto luminance = References::CieSkyLuminance(type, Sun, 10'000.0);
   const Receiver floor(Floor);
-  ExpectDaylight(
-    "5.9 no roof", type, room, sky, floor.Quantities(room, opening, luminance, 1.0), { 2.5e5, 1e6 });
+  ExpectDaylight("5.9 no roof", type, room, sky, floor.Quantities(room, opening, luminance, 1.0),
+    { 2.5e5, 1e6 });
   const Surface glazed = WithGlass(room, Pane(opening));
   ExpectDaylight("5.10 roof of glass", type, glazed, sky,
     floor.Quantities(glazed, opening, luminance, Glass), { 2.5e5, 1e6 });
