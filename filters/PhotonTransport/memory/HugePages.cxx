@@ -12,27 +12,51 @@ namespace PhotonTransport
 
 #ifdef __linux__
 
+namespace
+{
+
+/// The part of some memory that fills huge pages.
+struct WholePages
+{
+  WholePages(const void* memory, std::size_t bytes)
+  {
+    constexpr std::uintptr_t Page = std::uintptr_t{ 1 } << 21;
+    const auto first = reinterpret_cast<std::uintptr_t>(memory);
+    this->begin = (first + Page - 1) / Page * Page;
+    this->end = (first + bytes) / Page * Page;
+  }
+
+  /// Whether advice is taken, and errors, change nothing but the time that access takes.
+  bool Advise(int advice) const
+  {
+    return this->begin < this->end &&
+      madvise(reinterpret_cast<void*>(this->begin), this->end - this->begin, advice) == 0;
+  }
+
+  std::uintptr_t begin, end;
+};
+
+} // namespace
+
 void UseHugePages(const void* memory, std::size_t bytes)
 {
-  constexpr std::uintptr_t Page = std::uintptr_t{ 1 } << 21;
   constexpr int Collapse = 25; // MADV_COLLAPSE, which headers older than Linux 6.1 do not have
-  const auto first = reinterpret_cast<std::uintptr_t>(memory);
-  const std::uintptr_t begin = (first + Page - 1) / Page * Page;
-  const std::uintptr_t end = (first + bytes) / Page * Page;
-  if (begin < end)
+  const WholePages pages(memory, bytes);
+  if (pages.Advise(MADV_HUGEPAGE))
   {
-    void* pages = reinterpret_cast<void*>(begin);
-    // Advice: whether it is taken, and errors, change nothing but the time that access takes.
-    if (madvise(pages, end - begin, MADV_HUGEPAGE) == 0)
-    {
-      madvise(pages, end - begin, Collapse);
-    }
+    pages.Advise(Collapse);
   }
+}
+
+void ExpectHugePages(const void* memory, std::size_t bytes)
+{
+  WholePages(memory, bytes).Advise(MADV_HUGEPAGE);
 }
 
 #else
 
 void UseHugePages(const void*, std::size_t) {}
+void ExpectHugePages(const void*, std::size_t) {}
 
 #endif
 

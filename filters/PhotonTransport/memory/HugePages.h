@@ -19,4 +19,17 @@ void UseHugePages(const std::vector<T>& array)
   UseHugePages(array.data(), array.size() * sizeof(T));
 }
 
+/// Asks for huge pages before memory is first used, which costs no copy. Where the system has none
+/// left, pages are small.
+void ExpectHugePages(const void* memory, std::size_t bytes);
+
+/// Gives an empty array its final size, on huge pages as far as the system has some.
+template <typename T>
+void ResizeOnHugePages(std::vector<T>& array, std::size_t size)
+{
+  array.reserve(size);
+  ExpectHugePages(array.data(), size * sizeof(T));
+  array.resize(size);
+}
+
 } // namespace PhotonTransport

@@ -2,6 +2,7 @@
 #include "PhotonTransport/scene/DoubleSheets.h"
 
 #include "PhotonTransport/scene/Scene.h"
+#include "PhotonTransport/scene/SharedPlanes.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -11,26 +12,6 @@
 
 namespace PhotonTransport
 {
-
-std::vector<std::uint8_t> FacetsOfDoubleSheets(
-  const std::vector<FacetPlane>& planes, const std::vector<PlaneMember>& groups)
-{
-  std::vector<std::uint8_t> marked;
-  ForEachGroup(groups,
-    [&](const PlaneMember* first, const PlaneMember* last)
-    {
-      const glm::vec3& normal = planes[first->facet].normal;
-      const bool alike = std::all_of(first, last,
-        [&](const PlaneMember& member)
-        { return glm::dot(planes[member.facet].normal, normal) > SameSheet; });
-      if (!alike)
-      {
-        marked.resize(planes.size(), 0);
-        std::for_each(first, last, [&](const PlaneMember& member) { marked[member.facet] = 1; });
-      }
-    });
-  return marked;
-}
 
 std::optional<glm::vec3> Within(const glm::dvec3& point, double gap, const glm::dvec3& a,
   const glm::dvec3& b, const glm::dvec3& c)

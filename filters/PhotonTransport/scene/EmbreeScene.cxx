@@ -246,13 +246,13 @@ void EmbreeScene::Intersect(const Ray* rays, Hit* hits, std::size_t count) const
 }
 
 void EmbreeScene::FindOccluded(
-  const Segment* segments, std::uint8_t* occluded, std::size_t count) const
+  const Segment* segments, std::uint8_t* occluded, std::size_t count, bool neighbours) const
 {
   SegmentPacket packet;
   for (std::size_t first = 0; first < count; first += RayPacket::Size)
   {
     const std::size_t number = std::min(count - first, RayPacket::Size);
-    packet.FindOccluded(this->Impl->scene, segments + first, number);
+    packet.FindOccluded(this->Impl->scene, segments + first, number, neighbours);
     for (std::size_t lane = 0; lane < number; ++lane)
     {
       occluded[first + lane] = packet.IsOccluded(lane);

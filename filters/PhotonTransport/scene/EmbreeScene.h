@@ -44,7 +44,10 @@ public:
 
   /// For each segment whether it meets anything, 1 or 0. The error of a place on it grows with its
   /// length, so callers let segments start where coordinates are finer; see Scene::SegmentBetween.
-  void FindOccluded(const Segment* segments, std::uint8_t* occluded, std::size_t count) const;
+  /// @param neighbours Whether segments that follow each other are short and close together, which
+  /// takes less time then, and more where they are not.
+  void FindOccluded(const Segment* segments, std::uint8_t* occluded, std::size_t count,
+    bool neighbours = false) const;
 
   /// Calls f(facet) for all facets whose bounds come within a distance of a point, in any order,
   /// more than once for a facet that is traced in parts.

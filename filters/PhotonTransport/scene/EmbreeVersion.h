@@ -25,14 +25,20 @@ inline void IntersectFirst(RTCScene scene, const int* valid, RTCRayHit8& rayHits
 }
 
 /// Sets the far end of each ray that meets anything to minus infinity.
-/// @param valid As above.
-inline void FindOccluded(RTCScene scene, const int* valid, RTCRay8& rays)
+/// @param valid As above. @param together Whether all rays go through the tree together, which is
+/// faster where they are neighbours.
+inline void FindOccluded(RTCScene scene, const int* valid, RTCRay8& rays, bool together)
 {
 #if ILLUMINATION_EMBREE_VERSION >= 4
-  rtcOccluded8(valid, scene, &rays, nullptr);
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.flags = together ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+  rtcOccluded8(valid, scene, &rays, &arguments);
 #else
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
+  context.flags =
+    together ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   rtcOccluded8(valid, scene, &context, &rays);
 #endif
 }

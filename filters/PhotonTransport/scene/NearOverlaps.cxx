@@ -74,7 +74,7 @@ void NearOverlaps::JoinPositions(const std::vector<std::uint32_t>& inOnePlace)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      points.push_back(this->Facets[facet][corner]);
+      points.push_back(this->Facets[facet].vertices[corner]);
     }
   };
   std::for_each(inOnePlace.begin(), inOnePlace.end(), add);
@@ -103,13 +103,13 @@ void NearOverlaps::Mark(std::uint32_t facet)
 {
   for (int corner = 0; corner < 3; ++corner)
   {
-    this->Marks[this->First[this->Facets[facet][corner]]] = 1;
+    this->Marks[this->First[this->Facets[facet].vertices[corner]]] = 1;
   }
 }
 
 bool NearOverlaps::IsMarked(std::uint32_t facet) const
 {
-  const glm::uvec3& corners = this->Facets[facet];
+  const glm::uvec3& corners = this->Facets[facet].vertices;
   return (this->Marks[this->First[corners.x]] | this->Marks[this->First[corners.y]] |
            this->Marks[this->First[corners.z]]) != 0;
 }

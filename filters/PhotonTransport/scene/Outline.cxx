@@ -45,7 +45,7 @@ std::vector<std::uint32_t> Outline::TrianglesAt(const std::vector<PlaneTriangle>
   std::vector<std::uint32_t> found;
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
   {
-    const glm::uvec3& corners = this->Facets[triangles[t].facet];
+    const glm::uvec3& corners = this->Facets[triangles[t].facet].vertices;
     const int outside =
       (this->Sums[corners.x] != 0) + (this->Sums[corners.y] != 0) + (this->Sums[corners.z] != 0);
     if (outside > 1)
@@ -55,7 +55,7 @@ std::vector<std::uint32_t> Outline::TrianglesAt(const std::vector<PlaneTriangle>
   }
   for (const PlaneTriangle& triangle : triangles)
   {
-    const glm::uvec3& corners = this->Facets[triangle.facet];
+    const glm::uvec3& corners = this->Facets[triangle.facet].vertices;
     this->Sums[corners.x] = this->Sums[corners.y] = this->Sums[corners.z] = 0;
   }
   return found;
@@ -71,7 +71,7 @@ void Outline::AddEdges(const std::vector<PlaneTriangle>& triangles)
   }
   for (const PlaneTriangle& triangle : triangles)
   {
-    glm::uvec3 corners = this->Facets[triangle.facet];
+    glm::uvec3 corners = this->Facets[triangle.facet].vertices;
     if (triangle.turned)
     {
       std::swap(corners.y, corners.z);
@@ -90,7 +90,7 @@ void Outline::JoinPoints(const std::vector<PlaneTriangle>& triangles)
   std::vector<std::uint32_t> open;
   for (const PlaneTriangle& triangle : triangles)
   {
-    const glm::uvec3& corners = this->Facets[triangle.facet];
+    const glm::uvec3& corners = this->Facets[triangle.facet].vertices;
     for (int corner = 0; corner < 3; ++corner)
     {
       if (this->Sums[corners[corner]] != 0)

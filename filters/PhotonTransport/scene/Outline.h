@@ -2,6 +2,7 @@
 #pragma once
 
 #include "PhotonTransport/scene/PlaneTriangle.h"
+#include "PhotonTransport/scene/SceneRecords.h"
 
 #include <glm/vec3.hpp>
 
@@ -26,7 +27,7 @@ class Outline
 public:
   /// @param numbers Of the points, see NumbersOfPlaces. @param facets Of which there are triangles.
   /// Both must outlive this.
-  Outline(const std::vector<std::uint64_t>& numbers, const std::vector<glm::uvec3>& facets)
+  Outline(const std::vector<std::uint64_t>& numbers, const std::vector<Facet>& facets)
     : Numbers(numbers)
     , Facets(facets)
   {
@@ -40,7 +41,7 @@ private:
   void JoinPoints(const std::vector<PlaneTriangle>& triangles);
 
   const std::vector<std::uint64_t>& Numbers; ///< Of the points.
-  const std::vector<glm::uvec3>& Facets;
+  const std::vector<Facet>& Facets;
   std::vector<std::uint64_t> Sums; ///< Of the points; all 0 between calls.
 };
 

@@ -24,12 +24,11 @@ namespace
 constexpr std::size_t Few = 64;
 
 /// See ForEachOverlap.
-constexpr double Near = 64.0;
 constexpr double NearIfSingle = 1024.0;
 
 const glm::vec3& CornerOf(const FacetPlaces& places, std::uint32_t facet, int corner)
 {
-  return places.points[places.facets[facet][corner]];
+  return places.points[places.facets[facet].vertices[corner]];
 }
 
 /// By how much the data's rounding may widen what a facet has in common with a neighbour. That of a
@@ -237,7 +236,7 @@ private:
       place[w] = first;
       isSingle = isSingle && std::fabs(height) <= 2.0 * single.Along(m, place);
     }
-    return overlap.excess <= (isSingle ? NearIfSingle : Near);
+    return overlap.excess <= (isSingle ? NearIfSingle : MostExcess);
   }
 
   glm::dvec3 ExactNormal(std::uint32_t facet) const

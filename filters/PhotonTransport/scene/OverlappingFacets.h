@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/scene/SceneRecords.h"
 #include "PhotonTransport/scene/SharedPlanes.h"
 
 #include <glm/vec3.hpp>
@@ -33,14 +34,17 @@ struct FacetOverlap
 struct FacetPlaces
 {
   const std::vector<glm::vec3>& points;
-  const std::vector<glm::uvec3>& facets;
+  const std::vector<Facet>& facets;
   const std::vector<FacetPlane>& planes;
   const std::vector<PlaneMember>& groups;
   const DataRounding& rounding;
 };
 
+/// Up to this excess pairs are found that are not in one plane.
+constexpr double MostExcess = 64.0;
+
 /// Calls f for all pairs of facets that overlap; for some of them more than once. Pairs that are
-/// not in one plane are found up to an excess of 64, or up to 1024 where the rounding to single
+/// not in one plane are found up to MostExcess, or up to 1024 where the rounding to single
 /// precision would explain how far they are apart; not all of them are found.
 ///
 /// A floor of many facets is looked through in linear time: facets that are joined along all their

@@ -13,11 +13,6 @@ namespace PhotonTransport
 namespace
 {
 
-/// What two triangles have in common is a sliver if it is no wider, relative to their reach:
-/// neighbours in a plane that is tilted, or of points that once were floats far from their origin,
-/// overlap by less.
-constexpr float LeastWidth = 0x1p-17f;
-
 /// Twice the area of (a, b, p): positive where p is to the left of a -> b.
 double Side(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& p)
 {
@@ -69,7 +64,7 @@ bool Meet(const PlaneTriangle& one, const PlaneTriangle& other)
 {
   const glm::vec2 common = glm::min(one.high, other.high) - glm::max(one.low, other.low);
   const float width =
-    LeastWidth * std::max(one.reach, other.reach) + (one.rounding + other.rounding);
+    SliverWidth * std::max(one.reach, other.reach) + (one.rounding + other.rounding);
   return common.x > width && common.y > width && !EdgeDivides(one, other, double{ width }) &&
     !EdgeDivides(other, one, double{ width });
 }

@@ -14,6 +14,11 @@
 namespace PhotonTransport
 {
 
+/// What two triangles have in common is a sliver if it is no wider, relative to their reach:
+/// neighbours in a plane that is tilted, or of points that once were floats far from their origin,
+/// overlap by less.
+constexpr float SliverWidth = 0x1p-17f;
+
 /// A facet seen along one of the three axes, counter-clockwise.
 struct PlaneTriangle
 {

@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -24,16 +25,27 @@ namespace
 /// Scene units squared. A smaller facet has no area that its single-precision record could hold.
 constexpr double LeastArea = std::numeric_limits<float>::min();
 
+/// Those of points that no facet uses, which may be anywhere, are 0.
 std::vector<glm::vec3> ScenePositions(const Surface& surface, const Placement& placement)
 {
-  std::vector<glm::vec3> positions(surface.points.size(), glm::vec3(0.0f));
-  for (const glm::uvec3& facet : surface.facets)
-  {
-    for (int corner = 0; corner < 3; ++corner)
+  std::vector<std::atomic<std::uint8_t>> used(surface.points.size());
+  ForEach(surface.facets.size(),
+    [&](std::size_t f)
     {
-      positions[facet[corner]] = glm::vec3(placement.PointToScene(surface.points[facet[corner]]));
-    }
-  }
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        used[surface.facets[f][corner]].store(1, std::memory_order_relaxed);
+      }
+    });
+  std::vector<glm::vec3> positions(surface.points.size(), glm::vec3(0.0f));
+  ForEach(positions.size(),
+    [&](std::size_t p)
+    {
+      if (used[p].load(std::memory_order_relaxed) != 0)
+      {
+        positions[p] = glm::vec3(placement.PointToScene(surface.points[p]));
+      }
+    });
   return positions;
 }
 
@@ -126,7 +138,7 @@ void Scene::RequireSize() const
 void Scene::AddFacets(const Surface& surface, const PlacedPoints& points)
 {
   const std::size_t facets = surface.facets.size();
-  this->FacetRecords.resize(facets);
+  ResizeOnHugePages(this->FacetRecords, facets);
   this->FacetAreas.resize(facets);
   this->GivenFacets.resize(surface.given.origins.size());
   this->FacetMaterial = surface.materialOfFacet;
@@ -281,9 +293,10 @@ void Scene::Intersect(const Ray* rays, Hit* hits, std::size_t count) const
   this->Bvh->Intersect(rays, hits, count);
 }
 
-void Scene::FindOccluded(const Segment* segments, std::uint8_t* occluded, std::size_t count) const
+void Scene::FindOccluded(
+  const Segment* segments, std::uint8_t* occluded, std::size_t count, bool neighbours) const
 {
-  this->Bvh->FindOccluded(segments, occluded, count);
+  this->Bvh->FindOccluded(segments, occluded, count, neighbours);
 }
 
 Segment Scene::SegmentBetween(const glm::vec3& a, const glm::dvec3& b) const

@@ -25,7 +25,9 @@ namespace PhotonTransport
 
 class EmbreeScene;
 struct FacetOverlap;
+struct FacetPlane;
 class NearOverlaps;
+struct PlaneMember;
 
 /// The validated, immutable scene: geometry in [-1, 1], per-facet and per-vertex records, BVH.
 class Scene
@@ -39,7 +41,8 @@ public:
   void Intersect(const Ray* rays, Hit* hits, std::size_t count) const;
 
   /// See EmbreeScene::FindOccluded.
-  void FindOccluded(const Segment* segments, std::uint8_t* occluded, std::size_t count) const;
+  void FindOccluded(const Segment* segments, std::uint8_t* occluded, std::size_t count,
+    bool neighbours = false) const;
 
   /// The segment between two places where rays may start, from the one where coordinates are finer:
   /// its direction is rounded relative to its length, which then is less than the clearance of the
@@ -196,6 +199,8 @@ private:
     const glm::dvec3& givenNormal, const glm::vec3& position);
   void NoteVertices(const std::vector<std::uint8_t>& found);
   void FindSharedPlaces(const std::vector<glm::vec3>& positions);
+  void FindOverlaps(const std::vector<glm::vec3>& positions, const std::vector<FacetPlane>& planes,
+    const std::vector<PlaneMember>& groups);
   void FinishNotesOnSharedPlaces();
   void MarkSharedPlace(const FacetOverlap& overlap);
   void NoteOverlap(SharedPlaceNote& note, const FacetOverlap& overlap) const;

@@ -17,8 +17,8 @@ namespace PhotonTransport
 class SegmentPacket
 {
 public:
-  /// @param number How many there are, 1 to RayPacket::Size.
-  void FindOccluded(RTCScene scene, const Segment* segments, std::size_t number)
+  /// @param number How many there are, 1 to RayPacket::Size. @param together See EmbreeVersion.h.
+  void FindOccluded(RTCScene scene, const Segment* segments, std::size_t number, bool together)
   {
     RayPacket::Mask wanted;
     for (std::size_t lane = 0; lane < RayPacket::Size; ++lane)
@@ -26,7 +26,7 @@ public:
       wanted.lanes[lane] = lane < number ? -1 : 0;
       this->Load(lane, segments[std::min(lane, number - 1)]);
     }
-    PhotonTransport::FindOccluded(scene, wanted.lanes, this->Rays);
+    PhotonTransport::FindOccluded(scene, wanted.lanes, this->Rays, together);
   }
 
   bool IsOccluded(std::size_t lane) const { return this->Rays.tfar[lane] < 0.0f; }

@@ -2,7 +2,7 @@
 #include "PhotonTransport/scene/SharedPlace.h"
 
 #include "PhotonTransport/materials/MaterialProperties.h"
-#include "PhotonTransport/scene/DoubleSheets.h"
+#include "PhotonTransport/scene/CloseFacets.h"
 #include "PhotonTransport/scene/NearOverlaps.h"
 #include "PhotonTransport/scene/OverlappingFacets.h"
 #include "PhotonTransport/scene/PlaneTriangle.h"
@@ -160,21 +160,43 @@ void Scene::JoinNearOverlaps(NearOverlaps& near)
 
 void Scene::FindSharedPlaces(const std::vector<glm::vec3>& positions)
 {
-  std::vector<FacetPlane> planes(this->FacetRecords.size());
-  std::vector<glm::uvec3> facets(this->FacetRecords.size());
-  ForEach(planes.size(),
-    [&](std::size_t f)
+  const auto having = [](std::vector<std::uint8_t> bits, std::uint8_t bit)
+  {
+    std::uint8_t any = 0;
+    for (std::uint8_t& bitsOfFacet : bits)
     {
-      const Facet& facet = this->FacetRecords[f];
-      const glm::uvec3& ids = facet.vertices;
-      planes[f] =
-        PlaneOf(positions[ids.x], positions[ids.y], positions[ids.z], facet.normal, this->Rounding);
-      facets[f] = ids;
-    });
-  const std::vector<PlaneMember> groups = SharedPlanes(planes);
-  this->DoubleSheets = FacetsOfDoubleSheets(planes, groups);
-  NearOverlaps near(positions, facets);
-  ForEachOverlap({ positions, facets, planes, groups, this->Rounding },
+      bitsOfFacet &= bit;
+      any |= bitsOfFacet;
+    }
+    return any != 0 ? bits : std::vector<std::uint8_t>();
+  };
+  const auto planeOf = [&](std::size_t f)
+  {
+    const Facet& facet = this->FacetRecords[f];
+    const glm::uvec3& ids = facet.vertices;
+    return PlaneOf(
+      positions[ids.x], positions[ids.y], positions[ids.z], facet.normal, this->Rounding);
+  };
+  const std::size_t facets = this->FacetRecords.size();
+  const float cells = PlaneCellsPerUnit(facets, planeOf, this->Rounding);
+  const std::vector<std::uint8_t> close =
+    FindCloseFacets(positions, this->FacetRecords, this->Rounding, cells);
+  this->DoubleSheets = having(close, FacesOpposite);
+  const std::vector<std::uint8_t> alike = having(close, FacesAlike);
+  if (!alike.empty())
+  {
+    std::vector<FacetPlane> planes(facets);
+    ForEach(facets, [&](std::size_t f) { planes[f] = planeOf(f); });
+    this->FindOverlaps(positions, planes, SharedPlanes(planes, alike, cells));
+  }
+  this->FinishNotesOnSharedPlaces();
+}
+
+void Scene::FindOverlaps(const std::vector<glm::vec3>& positions,
+  const std::vector<FacetPlane>& planes, const std::vector<PlaneMember>& groups)
+{
+  NearOverlaps near(positions, this->FacetRecords);
+  ForEachOverlap({ positions, this->FacetRecords, planes, groups, this->Rounding },
     [&](const FacetOverlap& overlap)
     {
       if (overlap.excess <= 1.0)
@@ -187,7 +209,6 @@ void Scene::FindSharedPlaces(const std::vector<glm::vec3>& positions)
       }
     });
   this->JoinNearOverlaps(near);
-  this->FinishNotesOnSharedPlaces();
 }
 
 void Scene::FinishNotesOnSharedPlaces()

@@ -3,6 +3,7 @@
 
 #include "PhotonTransport/threads/Threads.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <oneapi/tbb/parallel_sort.h>
@@ -30,41 +31,33 @@ constexpr float MostUncertain(float cellsPerUnit)
   return 0.5f / cellsPerUnit;
 }
 
-/// As many cells as possible in which most planes can still be told apart.
-float ChooseCellsPerUnit(const std::vector<FacetPlane>& planes)
+/// The cells in which a plane may lie: first and last along each axis.
+struct CellRange
 {
-  constexpr float Coarse = 0x1p-21f; // eight times the rounding of the scene's own coordinates
-  constexpr std::ptrdiff_t Few = 16; // one facet in so many may be as narrow as a needle
-  float cells = MostCellsPerUnit;
-  const auto isTooUncertain = [&](const FacetPlane& plane)
-  { return plane.rounding > Coarse && plane.uncertainty > MostUncertain(cells); };
-  while (cells > LeastCellsPerUnit &&
-    Few * std::count_if(planes.begin(), planes.end(), isTooUncertain) >
-      static_cast<std::ptrdiff_t>(planes.size()))
+  CellRange(const FacetPlane& plane, float cellsPerUnit)
   {
-    cells /= 2.0f;
+    const glm::vec3 nearest = glm::dot(plane.point, plane.normal) * plane.normal;
+    const float reach = std::min(plane.uncertainty, MostUncertain(cellsPerUnit));
+    for (int i = 0; i < 3; ++i)
+    {
+      const float low = (nearest[i] + 2.0f - reach) * cellsPerUnit + Shift; // within [0, 2^13)
+      this->first[i] = static_cast<std::uint64_t>(low);
+      this->last[i] = static_cast<std::uint64_t>(low + 2.0f * reach * cellsPerUnit);
+    }
   }
-  return cells;
-}
+  std::uint64_t first[3], last[3];
+};
 
 /// Calls f(cell) for the cells in which a plane may lie.
 template <typename F>
 void ForEachCell(const FacetPlane& plane, float cellsPerUnit, const F& f)
 {
-  const glm::vec3 nearest = glm::dot(plane.point, plane.normal) * plane.normal;
-  const float reach = std::min(plane.uncertainty, MostUncertain(cellsPerUnit));
-  std::uint64_t first[3], last[3];
-  for (int i = 0; i < 3; ++i)
+  const CellRange cells(plane, cellsPerUnit);
+  for (std::uint64_t x = cells.first[0]; x <= cells.last[0]; ++x)
   {
-    const float low = (nearest[i] + 2.0f - reach) * cellsPerUnit + Shift; // within [0, 2^13)
-    first[i] = static_cast<std::uint64_t>(low);
-    last[i] = static_cast<std::uint64_t>(low + 2.0f * reach * cellsPerUnit);
-  }
-  for (std::uint64_t x = first[0]; x <= last[0]; ++x)
-  {
-    for (std::uint64_t y = first[1]; y <= last[1]; ++y)
+    for (std::uint64_t y = cells.first[1]; y <= cells.last[1]; ++y)
     {
-      for (std::uint64_t z = first[2]; z <= last[2]; ++z)
+      for (std::uint64_t z = cells.first[2]; z <= cells.last[2]; ++z)
       {
         f((x << 40) | (y << 20) | z);
       }
@@ -111,14 +104,20 @@ private:
   std::vector<std::atomic<std::uint8_t>> Marks;
 };
 
-/// The planes in the cells that hold more than one.
-std::vector<PlaneMember> MembersWithCompany(
-  const std::vector<FacetPlane>& planes, float cellsPerUnit)
+/// The planes in the cells that hold more than one of those that are marked.
+std::vector<PlaneMember> MembersWithCompany(const std::vector<FacetPlane>& planes,
+  const std::vector<std::uint8_t>& marked, float cellsPerUnit)
 {
-  CellMarks marks(planes.size());
+  CellMarks marks(static_cast<std::size_t>(
+    std::count_if(marked.begin(), marked.end(), [](std::uint8_t mark) { return mark != 0; })));
   ForEach(planes.size(),
     [&](std::size_t f)
-    { ForEachCell(planes[f], cellsPerUnit, [&](std::uint64_t cell) { marks.Add(cell); }); });
+    {
+      if (marked[f] != 0)
+      {
+        ForEachCell(planes[f], cellsPerUnit, [&](std::uint64_t cell) { marks.Add(cell); });
+      }
+    });
   constexpr std::size_t Chunk = 8192;
   std::vector<std::vector<PlaneMember>> chunks((planes.size() + Chunk - 1) / Chunk);
   const auto gather = [&](std::size_t c)
@@ -166,9 +165,51 @@ FacetPlane PlaneOf(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
   return { a, normal, 2.0f * SheetGap + 2.0f * most + glm::length(a) * lean, most };
 }
 
-std::vector<PlaneMember> SharedPlanes(const std::vector<FacetPlane>& planes)
+float PlaneCellsPerUnit(std::size_t facets, const std::function<FacetPlane(std::size_t)>& planeOf,
+  const DataRounding& rounding)
 {
-  std::vector<PlaneMember> members = MembersWithCompany(planes, ChooseCellsPerUnit(planes));
+  constexpr float Coarse = 0x1p-21f; // eight times the rounding of the scene's own coordinates
+  constexpr std::size_t Few = 16;    // one facet in so many may be as narrow as a needle
+  const glm::dvec3 farthest = glm::abs(rounding.origin) + 1.0;
+  float cells = MostCellsPerUnit;
+  if (rounding.relative * (farthest.x + farthest.y + farthest.z) <= double{ Coarse })
+  {
+    return cells; // as nearly always
+  }
+  std::vector<float> uncertainties(facets);
+  ForEach(facets,
+    [&](std::size_t f)
+    {
+      const FacetPlane plane = planeOf(f);
+      uncertainties[f] = plane.rounding > Coarse ? plane.uncertainty : 0.0f;
+    });
+  const auto tooUncertain = [&]
+  {
+    return static_cast<std::size_t>(std::count_if(uncertainties.begin(), uncertainties.end(),
+      [&](float uncertainty) { return uncertainty > MostUncertain(cells); }));
+  };
+  while (cells > LeastCellsPerUnit && Few * tooUncertain() > facets)
+  {
+    cells /= 2.0f;
+  }
+  return cells;
+}
+
+bool ShareACell(const FacetPlane& one, const FacetPlane& other, float cellsPerUnit)
+{
+  const CellRange a(one, cellsPerUnit), b(other, cellsPerUnit);
+  bool share = true;
+  for (int i = 0; i < 3; ++i)
+  {
+    share = share && a.first[i] <= b.last[i] && b.first[i] <= a.last[i];
+  }
+  return share;
+}
+
+std::vector<PlaneMember> SharedPlanes(const std::vector<FacetPlane>& planes,
+  const std::vector<std::uint8_t>& marked, float cellsPerUnit)
+{
+  std::vector<PlaneMember> members = MembersWithCompany(planes, marked, cellsPerUnit);
   // No two are equal, so there is one order. Only integers are compared, which the floating-point
   // settings of threads do not concern.
   tbb::parallel_sort(members.begin(), members.end());

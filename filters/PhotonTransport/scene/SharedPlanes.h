@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace PhotonTransport
@@ -42,6 +43,15 @@ struct FacetPlane
 FacetPlane PlaneOf(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
   const glm::vec3& normal, const DataRounding& rounding);
 
+/// Planes are told apart by cells of this many a scene unit, in which the point nearest to the
+/// origin lies: as many as possible in which most of some planes can still be told apart.
+/// @param planeOf The plane of each of so many facets.
+float PlaneCellsPerUnit(std::size_t facets, const std::function<FacetPlane(std::size_t)>& planeOf,
+  const DataRounding& rounding);
+
+/// Whether two planes may lie in one cell, by their uncertainty.
+bool ShareACell(const FacetPlane& one, const FacetPlane& other, float cellsPerUnit);
+
 /// A facet in a group of facets whose planes are near each other, whichever way they face.
 struct PlaneMember
 {
@@ -54,9 +64,11 @@ struct PlaneMember
 };
 
 /// Groups of two facets or more, one after the other, the facets of each in ascending order. Facets
-/// whose planes are the same up to rounding are together in at least one group. A group may also
-/// hold facets of other planes.
-std::vector<PlaneMember> SharedPlanes(const std::vector<FacetPlane>& planes);
+/// whose planes are the same up to rounding are together in at least one group, if both are marked.
+/// A group may also hold facets of other planes, and such as are not marked.
+/// @param cellsPerUnit See PlaneCellsPerUnit.
+std::vector<PlaneMember> SharedPlanes(const std::vector<FacetPlane>& planes,
+  const std::vector<std::uint8_t>& marked, float cellsPerUnit);
 
 /// Calls f(first, last) for each group.
 template <typename F>

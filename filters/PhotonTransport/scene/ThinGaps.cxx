@@ -114,7 +114,7 @@ private:
     {
       segments[i] = { this->Rays[i], FirstLook * this->Probes[i].offset };
     }
-    this->SearchedScene.FindOccluded(segments.data(), occluded.data(), this->Rays.size());
+    this->SearchedScene.FindOccluded(segments.data(), occluded.data(), this->Rays.size(), true);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < this->Rays.size(); ++i)
     {

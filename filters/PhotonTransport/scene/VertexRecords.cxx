@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "PhotonTransport/memory/HugePages.h"
 #include "PhotonTransport/scene/FacetSide.h"
 #include "PhotonTransport/scene/Scene.h"
 #include "PhotonTransport/threads/Threads.h"
@@ -94,7 +95,7 @@ void Scene::AddVertices(const Surface& surface, const PlacedPoints& points)
   const std::vector<glm::vec3>& positions = points.positions;
   const std::size_t onMap = surface.IsRefined() ? surface.given.points : positions.size();
   this->Rings = this->RingsThatCount(onMap);
-  this->VertexRecords.resize(positions.size());
+  ResizeOnHugePages(this->VertexRecords, positions.size());
   this->Areas.resize(onMap);
   std::vector<std::uint8_t> found(onMap);
   ParallelFor(

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The search for facets in one place: it may miss none that overlap, and finds none in sound
+// meshes.
+#include "Shapes.h"
+
+#include "PhotonTransport/scene/CloseFacets.h"
+#include "PhotonTransport/scene/PlaceKeys.h"
+#include "PhotonTransport/scene/PlaneTriangle.h"
+#include "PhotonTransport/scene/SharedPlanes.h"
+
+#include <glm/geometric.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+using namespace PhotonTransport;
+
+namespace
+{
+
+struct Mesh
+{
+  std::vector<glm::vec3> positions;
+  std::vector<Facet> facets;
+
+  /// A facet of points of its own. @return Whether it has an area.
+  bool Add(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
+  {
+    const glm::vec3 normal = glm::cross(b - a, c - a);
+    if (!(glm::length(normal) > 0.0f))
+    {
+      return false;
+    }
+    const auto first = static_cast<std::uint32_t>(this->positions.size());
+    this->positions.insert(this->positions.end(), { a, b, c });
+    this->facets.push_back({ { first, first + 1, first + 2 }, 0.0f, glm::normalize(normal), 0.0f });
+    return true;
+  }
+
+  PlaneTriangle Triangle(std::uint32_t facet) const
+  {
+    const std::uint32_t first = 3 * facet;
+    return { facet, this->positions[first], this->positions[first + 1], this->positions[first + 2],
+      BestAxis(this->facets[facet].normal) };
+  }
+};
+
+/// Facets of all sizes in a few planes, which face either way.
+Mesh FacetsInFewPlanes(unsigned seed)
+{
+  std::mt19937 random(seed);
+  const auto whole = [&](int most) { return static_cast<float>(random() % most); };
+  Mesh mesh;
+  while (mesh.facets.size() < 600)
+  {
+    const int axis = static_cast<int>(random() % 3);
+    const float height = 0.25f * whole(4) - 0.5f;
+    const float size = random() % 8 == 0 ? 0.25f : 0.01f;
+    const glm::vec2 corner(0.125f * whole(8) - 0.5f, 0.125f * whole(8) - 0.5f);
+    glm::vec3 corners[3];
+    for (glm::vec3& place : corners)
+    {
+      place[axis] = height;
+      place[(axis + 1) % 3] = corner.x + size * whole(5);
+      place[(axis + 2) % 3] = corner.y + size * whole(5);
+    }
+    mesh.Add(corners[0], corners[1], corners[2]);
+  }
+  return mesh;
+}
+
+std::vector<std::uint8_t> CloseFacetsOf(const Mesh& mesh)
+{
+  return FindCloseFacets(mesh.positions, mesh.facets, DataRounding(), 1024.0f);
+}
+
+} // namespace
+
+TEST(CloseFacets, NoneIsMissing)
+{
+  for (unsigned seed = 0; seed < 20; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Mesh mesh = FacetsInFewPlanes(seed);
+    const std::vector<std::uint8_t> close = CloseFacetsOf(mesh);
+    ASSERT_EQ(close.size(), mesh.facets.size());
+    std::size_t pairs = 0;
+    for (std::uint32_t i = 0; i < mesh.facets.size(); ++i)
+    {
+      for (std::uint32_t j = 0; j < i; ++j)
+      {
+        const PlaneTriangle one = mesh.Triangle(i), other = mesh.Triangle(j);
+        const float cosine = glm::dot(mesh.facets[i].normal, mesh.facets[j].normal);
+        const float apart = glm::dot(mesh.facets[i].normal,
+          mesh.positions[3 * std::size_t{ i }] - mesh.positions[3 * std::size_t{ j }]);
+        if (std::fabs(cosine) > SameSheet && apart == 0.0f && Meet(one, other))
+        {
+          const std::uint8_t bit = cosine > 0.0f ? FacesAlike : FacesOpposite;
+          EXPECT_NE(close[i] & bit, 0) << i << " and " << j;
+          EXPECT_NE(close[j] & bit, 0) << i << " and " << j;
+          ++pairs;
+        }
+      }
+    }
+    EXPECT_GT(pairs, 100u);
+  }
+}
+
+TEST(CloseFacets, SliversThatAreCopiesAreFound)
+{
+  Mesh mesh; // lower than what neighbours may have in common
+  for (int copy = 0; copy < 2; ++copy)
+  {
+    mesh.Add({ 0.5f, 0.5f, 0.1f }, { 0.9f, 0.5f, 0.1f }, { 0.7f, 0.5f + 0x1p-19f, 0.1f });
+  }
+  EXPECT_EQ(CloseFacetsOf(mesh), std::vector<std::uint8_t>(2, FacesAlike));
+}
+
+TEST(CloseFacets, NoneInASoundMesh)
+{
+  const Surface surface = Shapes::RoomWithSphere(20'000);
+  Mesh mesh;
+  for (const glm::dvec3& point : surface.points)
+  {
+    mesh.positions.emplace_back(0.25 * point);
+  }
+  for (const glm::uvec3& ids : surface.facets)
+  {
+    const glm::vec3 &a = mesh.positions[ids.x], &b = mesh.positions[ids.y],
+                    &c = mesh.positions[ids.z];
+    mesh.facets.push_back({ ids, 0.0f, glm::normalize(glm::cross(b - a, c - a)), 0.0f });
+  }
+  EXPECT_TRUE(CloseFacetsOf(mesh).empty());
+  std::shuffle(mesh.facets.begin(), mesh.facets.end(), std::mt19937(1));
+  EXPECT_TRUE(CloseFacetsOf(mesh).empty());
+}
+
+TEST(CloseFacets, KeysAreSortedAndStable)
+{
+  std::mt19937_64 random(1);
+  std::vector<std::uint64_t> keys(300'000);
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    // Few and many keys that are equal above, in the whole range.
+    keys[i] = (i % 2 == 0 ? random() % 7 : random() >> 32) << 32 | i;
+  }
+  std::vector<std::uint64_t> expected = keys;
+  std::stable_sort(expected.begin(), expected.end(),
+    [](std::uint64_t a, std::uint64_t b) { return a >> 32 < b >> 32; });
+  SortByUpperHalf(keys);
+  EXPECT_EQ(keys, expected);
+}

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Comparisons of one facet with four others at a time, for CloseFacets.cxx.
+#pragma once
+
+#include "PhotonTransport/scene/FacetTree.h"
+#include "PhotonTransport/scene/PlaneTriangle.h"
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace PhotonTransport
+{
+
+using Four = FacetTree::Four;
+using FourBits = std::int32_t __attribute__((vector_size(16)));
+/// A little less than SameSheet: how a cosine is rounded depends on the order of its terms. Pairs
+/// are looked at more closely.
+constexpr float AboutSameSheet = 0.9989f;
+
+/// Half of what Meet takes for a sliver, which leaves room for rounding.
+constexpr float HalfSliver = 0.5f * SliverWidth;
+
+/// So small facets, and those that are slivers themselves, are always looked at more closely.
+constexpr float Tiny = 0x1p-24f;
+
+inline Four Least(const Four& a, const Four& b)
+{
+  return a < b ? a : b;
+}
+
+inline Four Largest(const Four& a, const Four& b)
+{
+  return a < b ? b : a;
+}
+
+inline bool Any(const FourBits& bits)
+{
+  std::uint64_t halves[2];
+  static_assert(sizeof halves == sizeof bits);
+  std::memcpy(halves, &bits, sizeof bits);
+  return (halves[0] | halves[1]) != 0;
+}
+
+/// The boxes of a leaf's facets, with margins.
+struct LeafBounds
+{
+  explicit LeafBounds(const FacetTree::Leaf& leaf)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (std::size_t h = 0; h < FacetTree::Halves; ++h)
+      {
+        const Four &a = leaf.corners[0][axis][h], &b = leaf.corners[1][axis][h],
+                   &c = leaf.corners[2][axis][h];
+        this->low[axis][h] = Least(a, Least(b, c)) - leaf.margin;
+        this->high[axis][h] = Largest(a, Largest(b, c)) + leaf.margin;
+      }
+    }
+  }
+  Four low[3][FacetTree::Halves], high[3][FacetTree::Halves];
+};
+
+/// One facet of a leaf, to be compared with others four at a time.
+class OneFacet
+{
+public:
+  OneFacet() = default;
+  OneFacet(const FacetTree::Leaf& leaf, std::size_t lane)
+  {
+    const auto of = [&](const Four(&values)[FacetTree::Halves])
+    { return values[lane / 4][lane % 4]; };
+    this->Normal = { of(leaf.normals[0]), of(leaf.normals[1]), of(leaf.normals[2]) };
+    std::array<glm::vec3, 3> corners;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      corners[c] = { of(leaf.corners[c][0]), of(leaf.corners[c][1]), of(leaf.corners[c][2]) };
+    }
+    const auto& [a, b, c] = corners;
+    this->Low = glm::min(a, glm::min(b, c)) - leaf.margin;
+    this->High = glm::max(a, glm::max(b, c)) + leaf.margin;
+    const glm::vec3 most = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
+    this->Width = HalfSliver * std::max({ most.x, most.y, most.z });
+    this->LookAlongAxis(corners);
+  }
+
+  bool Meets(const FacetTree::Box& box) const
+  {
+    return glm::all(glm::lessThanEqual(this->Low, box.high)) &&
+      glm::all(glm::lessThanEqual(box.low, this->High));
+  }
+
+  /// The facets of half a leaf whose boxes meet that of this one, and that face the same way and
+  /// may have more than a sliver in common with it, or face the other way.
+  /// @param wanted Of these facets alone.
+  FourBits Candidates(const FacetTree::Leaf& leaf, const LeafBounds& bounds, std::size_t half,
+    const FourBits& wanted) const
+  {
+    const FourBits near = wanted & this->Near(bounds, half);
+    if (!Any(near))
+    {
+      return near;
+    }
+    const Four cosine = this->Normal.x * leaf.normals[0][half] +
+      this->Normal.y * leaf.normals[1][half] + this->Normal.z * leaf.normals[2][half];
+    const FourBits opposite = near & (cosine < -AboutSameSheet);
+    const FourBits alike = near & (cosine > AboutSameSheet);
+    if (this->IsSliver || !Any(alike))
+    {
+      return alike | opposite;
+    }
+    const FourBits left = alike & ~this->DividedByThis(leaf, half);
+    return (Any(left) ? left & ~this->DividedByOthers(leaf, half) : left) | opposite;
+  }
+
+private:
+  /// Corners and edges, counter-clockwise, in the plane that the normal's largest component leaves
+  /// out.
+  void LookAlongAxis(const std::array<glm::vec3, 3>& corners)
+  {
+    const int axis = BestAxis(this->Normal);
+    this->AxisU = (axis + 1) % 3;
+    this->AxisV = (axis + 2) % 3;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      this->U[i] = corners[i][this->AxisU];
+      this->V[i] = corners[i][this->AxisV];
+    }
+    float twiceArea = (this->U[1] - this->U[0]) * (this->V[2] - this->V[0]) -
+      (this->V[1] - this->V[0]) * (this->U[2] - this->U[0]);
+    const float sign = twiceArea < 0.0f ? -1.0f : 1.0f;
+    twiceArea *= sign;
+    float longest = 0.0f;
+    for (int i = 0; i < 3; ++i)
+    {
+      const int next = (i + 1) % 3;
+      this->AlongU[i] = sign * (this->U[next] - this->U[i]);
+      this->AlongV[i] = sign * (this->V[next] - this->V[i]);
+      const float length = std::max(std::fabs(this->AlongU[i]), std::fabs(this->AlongV[i]));
+      this->Inmost[i] = this->Width * length;
+      longest = std::max(longest, length);
+    }
+    this->IsSliver = longest < Tiny || twiceArea <= 4.0f * this->Width * longest;
+  }
+
+  FourBits Near(const LeafBounds& bounds, std::size_t h) const
+  {
+    FourBits near = { -1, -1, -1, -1 };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      near &= bounds.low[axis][h] <= this->High[axis];
+      near &= bounds.high[axis][h] >= this->Low[axis];
+    }
+    return near;
+  }
+
+  /// Those that an edge of this one has on its outer side, up to half a sliver.
+  FourBits DividedByThis(const FacetTree::Leaf& leaf, std::size_t h) const
+  {
+    FourBits divided{};
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto side = [&](int c)
+      {
+        return this->AlongU[i] * (leaf.corners[c][this->AxisV][h] - this->V[i]) -
+          this->AlongV[i] * (leaf.corners[c][this->AxisU][h] - this->U[i]);
+      };
+      divided |= Largest(side(0), Largest(side(1), side(2))) <= this->Inmost[i];
+    }
+    return divided;
+  }
+
+  /// Those that have this one on the outer side of an edge.
+  FourBits DividedByOthers(const FacetTree::Leaf& leaf, std::size_t h) const
+  {
+    const auto along = [&](int axis, int from, int to)
+    { return leaf.corners[to][axis][h] - leaf.corners[from][axis][h]; };
+    const int u = this->AxisU, v = this->AxisV;
+    const Four twiceArea = along(u, 0, 1) * along(v, 0, 2) - along(v, 0, 1) * along(u, 0, 2);
+    const Four one = Four{} + 1.0f;
+    const Four sign = twiceArea < 0.0f ? -one : one;
+    FourBits divided{};
+    for (int i = 0; i < 3; ++i)
+    {
+      const Four &au = leaf.corners[i][u][h], &av = leaf.corners[i][v][h];
+      const Four alongU = sign * along(u, i, (i + 1) % 3), alongV = sign * along(v, i, (i + 1) % 3);
+      const auto side = [&](int c)
+      { return alongU * (this->V[c] - av) - alongV * (this->U[c] - au); };
+      const Four length = Largest(Largest(alongU, -alongU), Largest(alongV, -alongV));
+      divided |= Largest(side(0), Largest(side(1), side(2))) <= this->Width * length;
+    }
+    return divided;
+  }
+
+  glm::vec3 Normal, Low, High;
+  float U[3], V[3], AlongU[3], AlongV[3];
+  float Width;     ///< Half of the sliver that neighbours may have in common.
+  float Inmost[3]; ///< What is no farther inside an edge, times its length, is outside.
+  int AxisU, AxisV;
+  bool IsSliver;
+};
+
+} // namespace PhotonTransport
