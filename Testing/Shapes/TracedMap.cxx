@@ -62,6 +62,8 @@ TracedMap::TracedMap(const ScenePointer& owned, const Lighting& lighting,
   this->effects = run.EffectsInUse();
   this->fluxCut = run.FluxCutByWeightBound();
   this->flux = run.Flux();
+  const FluxBalance balanceOfFlux = run.BalanceOfFlux();
+  this->fluxMet = balanceOfFlux.segments - balanceOfFlux.escaped;
   EXPECT_EQ(this->balance.emitted,
     this->balance.absorbed + this->balance.escaped + this->balance.cutOff +
       this->balance.handedOver + this->balance.blocked);
@@ -70,7 +72,7 @@ TracedMap::TracedMap(const ScenePointer& owned, const Lighting& lighting,
   {
     this->back = run.Back();
     this->ExpectSound(this->back);
-    if (settings.method == Method::PhotonTracing && openings.IsEmpty()) // all have the same flux
+    if (settings.method == Method::PhotonTracing && openings.IsEmpty())
     {
       this->ExpectFluxWithinBounds(settings);
     }
@@ -89,9 +91,7 @@ void TracedMap::ExpectSound(const IlluminationMap& side) const
 
 void TracedMap::ExpectFluxWithinBounds(const TraceSettings& settings) const
 {
-  // The flux of a photon first: the largest fluxes that are allowed times the hits would overflow.
-  const double arrived = this->flux / static_cast<double>(this->balance.emitted) *
-    static_cast<double>(this->balance.segments - this->balance.escaped);
+  const double arrived = this->fluxMet;
   const double registered = this->RegisteredFlux(this->front) + this->RegisteredFlux(this->back);
   const double most = arrived * static_cast<double>(MostFacetsInOnePlace(this->scene));
   // Three weights of a hit are rounded to 2^-28 each, and sums of floats to 2^-24.

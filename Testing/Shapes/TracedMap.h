@@ -42,6 +42,7 @@ public:
   PhotonTransport::Effects effects;
   double fluxCut = 0.0; ///< By the weight bound, lm.
   double flux = 0.0;    ///< Of the lamps, lm.
+  double fluxMet = 0.0; ///< Of light that met the surface, each time it did, lm.
 
   /// sum A E of a side, lm.
   double RegisteredFlux(const PhotonTransport::IlluminationMap& side) const;

@@ -13,8 +13,8 @@ namespace PhotonTransport
 namespace
 {
 
-/// Colours of lamps without those of a run's own facets must make sense; their fluxes do.
-bool AreValid(const Lighting& lighting)
+/// RelightingOf has checked the fluxes. What an Emitter would refuse is left to a run of its own.
+bool HaveValidColours(const Lighting& lighting)
 {
   return std::all_of(lighting.luminaires.begin(), lighting.luminaires.end(),
     [](const Luminaire& luminaire)
@@ -31,7 +31,7 @@ bool AreValid(const Lighting& lighting)
 bool IlluminationRun::Relight(const Lighting& wanted)
 {
   const std::optional<Relighting> relighting = RelightingOf(this->Traced, wanted);
-  const bool isPossible = relighting && AreValid(wanted) &&
+  const bool isPossible = relighting && HaveValidColours(wanted) &&
     (relighting->IsNone() || CanBeRelit(this->Settings)) &&
     (relighting->sameColours || this->Tracer.LampsTellColours());
   if (!isPossible)
