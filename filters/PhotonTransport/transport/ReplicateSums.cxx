@@ -258,15 +258,17 @@ bool ReplicateSums::AreFull() const
   for (const SideSums* sums : { &this->front, &this->back })
   {
     const std::size_t vertices = sums->Vertices();
+    const std::size_t lamps = sums->lamps;
     ForEach(vertices,
-      [&, vertices, sums = sums](std::size_t v)
+      [&, vertices, lamps, sums = sums](std::size_t v)
       {
         FixedPoint sum = 0;
         for (const std::vector<FixedPoint>& weights : sums->weights)
         {
-          for (std::size_t slot = v; slot < weights.size(); slot += vertices)
+          sum += weights[v];
+          for (std::size_t lamp = 1; lamp < lamps; ++lamp)
           {
-            sum += weights[slot];
+            sum += weights[lamp * vertices + v];
           }
         }
         if (sum >= Quarter)
