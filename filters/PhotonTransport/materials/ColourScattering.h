@@ -7,6 +7,7 @@
 #include "PhotonTransport/materials/ScatteringSet.h"
 #include "PhotonTransport/sampling/PhotonSample.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -26,11 +27,13 @@ struct ColourDeparture
 };
 
 /// The mean of what the channels have: that number itself, to the bit, where it is the same for
-/// all. @param shares Of the channels in the mean, together 1.
+/// all. @param shares Of the channels in the mean, together 1 up to rounding, which must not give
+/// red a negative share.
 inline double MeanOfChannels(const std::array<double, 3>& channels, const Colour& shares)
 {
-  return channels[0] + double{ shares.y } * (channels[1] - channels[0]) +
-    double{ shares.z } * (channels[2] - channels[0]);
+  const double green{ shares.y };
+  const double blue = std::min(double{ shares.z }, 1.0 - green);
+  return channels[0] + green * (channels[1] - channels[0]) + blue * (channels[2] - channels[0]);
 }
 
 /// By which the channels' light is multiplied where light takes a way with the probability `mean`
@@ -49,10 +52,14 @@ inline RouletteChannel MeanRoulette(
   const auto mean = [&](std::uint64_t RouletteChannel::*edge)
   {
     const auto of = [&](unsigned c) { return static_cast<double>(channels[c].*edge); };
-    return static_cast<std::uint64_t>(MeanOfChannels({ of(0), of(1), of(2) }, shares));
+    return static_cast<std::uint64_t>(
+      std::max(0.0, MeanOfChannels({ of(0), of(1), of(2) }, shares)));
   };
-  return { mean(&RouletteChannel::diffuse), mean(&RouletteChannel::specular),
-    mean(&RouletteChannel::glossy), mean(&RouletteChannel::through), 0.0f };
+  // Intervals that are empty in all channels must not get a negative length by rounding.
+  const std::uint64_t diffuse = mean(&RouletteChannel::diffuse);
+  const std::uint64_t specular = std::max(diffuse, mean(&RouletteChannel::specular));
+  const std::uint64_t glossy = std::max(specular, mean(&RouletteChannel::glossy));
+  return { diffuse, specular, glossy, std::max(glossy, mean(&RouletteChannel::through)), 0.0f };
 }
 
 /// Of 2^32, the share of a way of scattering that is not the clear part's.

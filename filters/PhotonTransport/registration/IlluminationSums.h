@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/materials/Colour.h"
 #include "PhotonTransport/registration/Arrivals.h"
 #include "PhotonTransport/registration/CellCounts.h"
 #include "PhotonTransport/registration/PhotonBalance.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -32,9 +34,21 @@ inline double FromFixedPoint(FixedPoint sum)
 }
 
 /// Rounds to nearest. @param share [0, 1]
-inline FixedPoint ShareOf(FixedPoint sum, float share)
+inline FixedPoint ShareOf(FixedPoint weight, float share)
 {
-  return static_cast<FixedPoint>(static_cast<double>(sum) * double{ share } + 0.5);
+  return static_cast<FixedPoint>(static_cast<double>(weight) * double{ share } + 0.5);
+}
+
+/// A weight by channels, which add up to it: the channel with the largest share takes what rounding
+/// leaves. None is negative. @param shares Together 1 up to rounding.
+inline std::array<FixedPoint, 3> ByChannel(FixedPoint weight, const Colour& shares)
+{
+  std::array<FixedPoint, 3> parts = { ShareOf(weight, shares.x), ShareOf(weight, shares.y),
+    ShareOf(weight, shares.z) };
+  const std::size_t largest =
+    shares.y >= shares.x ? (shares.y >= shares.z ? 1 : 2) : (shares.x >= shares.z ? 0 : 2);
+  parts[largest] += weight - parts[0] - parts[1] - parts[2];
+  return parts;
 }
 
 /// For weights that may be huge: with 12 fraction bits, a sum can hold nearly 2^31 hits of weight

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 
 namespace PhotonTransport
 {
@@ -228,10 +229,11 @@ private:
     for (int corner = 0; corner < 3; ++corner)
     {
       FixedPoint* own = &this->Layers.sums[(first + vertices[corner]) * this->Layers.perSlot];
+      const std::array<FixedPoint, 3> parts = ByChannel(weights[corner], photon.shares);
       for (std::size_t c = 0; c < LightLayers::Channels; ++c)
       {
         const float share = photon.shares[static_cast<int>(c)];
-        own[c] += ShareOf(weights[corner], share);
+        own[c] += parts[c];
         own[LightLayers::Channels + c] += ShareOf(weights[corner], share * share);
       }
     }
