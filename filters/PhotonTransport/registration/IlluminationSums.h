@@ -41,7 +41,7 @@ inline FixedPoint ShareOf(FixedPoint weight, float share)
 
 /// A weight by channels, which add up to it: the channel with the largest share takes what rounding
 /// leaves. None is negative. @param shares Together 1 up to rounding.
-inline std::array<FixedPoint, 3> ByChannel(FixedPoint weight, const Colour& shares)
+inline std::array<FixedPoint, 3> PartsByChannel(FixedPoint weight, const Colour& shares)
 {
   std::array<FixedPoint, 3> parts = { ShareOf(weight, shares.x), ShareOf(weight, shares.y),
     ShareOf(weight, shares.z) };

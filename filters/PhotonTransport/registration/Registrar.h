@@ -229,7 +229,7 @@ private:
     for (int corner = 0; corner < 3; ++corner)
     {
       FixedPoint* own = &this->Layers.sums[(first + vertices[corner]) * this->Layers.perSlot];
-      const std::array<FixedPoint, 3> parts = ByChannel(weights[corner], photon.shares);
+      const std::array<FixedPoint, 3> parts = PartsByChannel(weights[corner], photon.shares);
       for (std::size_t c = 0; c < LightLayers::Channels; ++c)
       {
         const float share = photon.shares[static_cast<int>(c)];
