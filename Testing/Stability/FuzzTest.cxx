@@ -140,17 +140,19 @@ void CheckHits(const IlluminationRun& run, const Scene& scene, const RandomScene
   const std::uint64_t hits = balance.segments - balance.escaped;
   const std::size_t places = MostFacetsInOnePlace(scene);
   RC_ASSERT(HitsOf(front) + HitsOf(back) <= 3 * hits * places);
-  const double arrived =
-    run.Flux() / static_cast<double>(balance.emitted) * static_cast<double>(hits);
+  const FluxBalance flux = run.BalanceOfFlux(); // photons may differ in their flux
+  const double arrived = flux.segments - flux.escaped;
   const double registered = FluxOf(front, scene.VertexAreas()) + FluxOf(back, scene.VertexAreas());
   const bool flat = drawn.settings.registration == Registration::Flat;
   const double bound = flat ? 1.0 : double{ drawn.settings.weightBound };
   const double most = arrived * static_cast<double>(places);
-  RC_ASSERT(registered <= most * (bound * (1.0 + WeightRounding) + SumRounding));
+  const double rounded =
+    SumRounding * run.FluxOf(hits) * static_cast<double>(places); // however little a photon has
+  RC_ASSERT(registered <= most * bound * (1.0 + WeightRounding) + rounded);
   if (bothSides)
   {
     RC_ASSERT(HitsOf(front) + HitsOf(back) >= 3 * hits);
-    RC_ASSERT(!flat || registered >= arrived * (1.0 - WeightRounding - SumRounding));
+    RC_ASSERT(!flat || registered >= arrived * (1.0 - WeightRounding) - rounded);
   }
 }
 
