@@ -125,7 +125,8 @@ public:
       {
         for (std::size_t c = 0; c < replicate.cells->channels; ++c)
         {
-          const double count = replicate.cells->all[replicate.cells->PlaceOf(cell, true) + c];
+          const double count = replicate.cells->all[replicate.cells->PlaceOf(cell, true) + c] /
+            static_cast<double>(replicate.cells->OfPhoton());
           hits += count;
           ofCells[cell] += count;
         }
