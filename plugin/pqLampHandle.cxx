@@ -12,7 +12,6 @@
 #include "vtkSMPropertyGroup.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
-#include "vtkSMUncheckedPropertyHelper.h"
 
 #include <QAbstractButton>
 #include <QLabel>
@@ -34,9 +33,7 @@ bool IsShown(vtkSMProperty* property, vtkSMProxy* proxy)
   {
     auto* decorator = vtkPVXMLElement::SafeDownCast(decorators->GetItemAsObject(i));
     vtkSMProperty* other = proxy->GetProperty(decorator->GetAttributeOrEmpty("property"));
-    const QString value =
-      other ? vtkSMUncheckedPropertyHelper(other).GetAsVariant(0).ToString().c_str() : "";
-    if (other && !QString(decorator->GetAttributeOrEmpty("values")).split(' ').contains(value))
+    if (other && !pqPanelLabel::holds(decorator, proxy))
     {
       return false;
     }

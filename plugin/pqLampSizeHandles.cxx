@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqLampSizeHandles.h"
 
+#include "pqPanelLabel.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkAbstractWidget.h"
@@ -101,15 +102,17 @@ pqLampSizeHandles::pqLampSizeHandles(
   , Group(group)
   , Lamp(lamp)
 {
-  this->observe(group->GetProperty("Origin"));
-  this->observe(group->GetProperty("Normal"));
+  const auto observe = [this](vtkSMProperty* property)
+  { this->Observed.add(property, this, &pqLampSizeHandles::follow); };
+  observe(group->GetProperty("Origin"));
+  observe(group->GetProperty("Normal"));
   for (unsigned i = 0; i < hints->GetNumberOfNestedElements(); ++i)
   {
     vtkPVXMLElement* hint = hints->GetNestedElement(i);
     if (QString(hint->GetName()) == "SizeHandles")
     {
-      this->observe(lamp->GetProperty(hint->GetAttributeOrEmpty("size")));
-      this->observe(lamp->GetProperty(hint->GetAttributeOrEmpty("property")));
+      observe(lamp->GetProperty(hint->GetAttributeOrEmpty("size")));
+      observe(lamp->GetProperty(hint->GetAttributeOrEmpty("property")));
     }
   }
   BEGIN_UNDO_EXCLUDE();
@@ -138,23 +141,6 @@ pqLampSizeHandles::~pqLampSizeHandles()
   {
     handle->RemoveObservers(vtkCommand::InteractionEvent);
     handle->RemoveObservers(vtkCommand::EndInteractionEvent);
-  }
-  for (const auto& [property, observer] : this->Observed)
-  {
-    if (property)
-    {
-      property->RemoveObserver(observer);
-    }
-  }
-}
-
-void pqLampSizeHandles::observe(vtkSMProperty* property)
-{
-  if (property)
-  {
-    this->Observed.emplace_back(property,
-      property->AddObserver(
-        vtkCommand::UncheckedPropertyModifiedEvent, this, &pqLampSizeHandles::follow));
   }
 }
 
@@ -197,11 +183,8 @@ pqLampSizeHandles::Use pqLampSizeHandles::use() const
   {
     vtkPVXMLElement* hint = this->Hints->GetNestedElement(i);
     vtkSMProperty* size = this->Lamp->GetProperty(hint->GetAttributeOrEmpty("size"));
-    vtkSMProperty* kind = this->Lamp->GetProperty(hint->GetAttributeOrEmpty("property"));
-    if (QString(hint->GetName()) == "SizeHandles" && size && kind && length > 0.0 &&
-      QString(hint->GetAttributeOrEmpty("values"))
-        .split(' ')
-        .contains(QString::number(vtkSMUncheckedPropertyHelper(kind).GetAsInt())))
+    if (QString(hint->GetName()) == "SizeHandles" && size && length > 0.0 &&
+      pqPanelLabel::holds(hint, this->Lamp))
     {
       return { size, QString(hint->GetAttributeOrEmpty("share")).toDouble(),
         AxesOf(hint->GetAttributeOrEmpty("axes"), direction / length) };

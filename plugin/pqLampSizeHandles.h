@@ -3,6 +3,8 @@
 #ifndef pqLampSizeHandles_h
 #define pqLampSizeHandles_h
 
+#include "pqObservedProperties.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -11,7 +13,6 @@
 
 #include <glm/vec3.hpp>
 
-#include <utility>
 #include <vector>
 
 class pqView;
@@ -51,7 +52,6 @@ private:
     std::vector<glm::dvec3> axes; ///< One for each length, unit.
   };
 
-  void observe(vtkSMProperty* property);
   Use use() const;
   glm::dvec3 centre() const;
   void follow();
@@ -62,7 +62,7 @@ private:
   vtkSmartPointer<vtkSMPropertyGroup> Group;
   vtkWeakPointer<vtkSMProxy> Lamp;
   std::vector<Handle> Handles;
-  std::vector<std::pair<vtkWeakPointer<vtkSMProperty>, unsigned long>> Observed;
+  pqObservedProperties Observed;
   QPointer<pqView> View;
   bool Visible = false;
   bool IsDragged = false;

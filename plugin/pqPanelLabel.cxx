@@ -19,24 +19,6 @@
 namespace
 {
 
-/// Whether an entry holds: its property has one of its values, or none of those that are excepted,
-/// or it asks for no property.
-bool Holds(vtkPVXMLElement* entry, vtkSMProxy* proxy)
-{
-  const char* name = entry->GetAttribute("property");
-  vtkSMProperty* property = name ? proxy->GetProperty(name) : nullptr;
-  if (!property)
-  {
-    return name == nullptr;
-  }
-  const QString value = vtkSMUncheckedPropertyHelper(property).GetAsVariant(0).ToString().c_str();
-  if (const char* excepted = entry->GetAttribute("except"))
-  {
-    return !QString(excepted).split(' ').contains(value);
-  }
-  return QString(entry->GetAttributeOrEmpty("values")).split(' ').contains(value);
-}
-
 /// The names in the pipeline browser of what is connected to an input.
 QStringList Connected(vtkSMProperty* input)
 {
@@ -71,31 +53,29 @@ pqPanelLabel::pqPanelLabel(vtkPVXMLElement* hints, pqPropertyWidget* parent)
 {
   for (unsigned i = 0; i < hints->GetNumberOfNestedElements(); ++i)
   {
-    this->observe(hints->GetNestedElement(i)->GetAttribute("property"));
-    this->observe(hints->GetNestedElement(i)->GetAttribute("input"));
-  }
-}
-
-void pqPanelLabel::observe(const char* name)
-{
-  vtkSMProperty* property = name ? this->parentWidget()->proxy()->GetProperty(name) : nullptr;
-  if (property)
-  {
-    this->Observed.emplace_back(property,
-      property->AddObserver(
-        vtkCommand::UncheckedPropertyModifiedEvent, this, &pqPanelLabel::visibilityChanged));
-  }
-}
-
-pqPanelLabel::~pqPanelLabel()
-{
-  for (const auto& [property, observer] : this->Observed)
-  {
-    if (property)
+    for (const char* name : { "property", "input" })
     {
-      property->RemoveObserver(observer);
+      this->Observed.add(
+        parent->proxy()->GetProperty(hints->GetNestedElement(i)->GetAttributeOrEmpty(name)), this,
+        &pqPanelLabel::visibilityChanged);
     }
   }
+}
+
+bool pqPanelLabel::holds(vtkPVXMLElement* entry, vtkSMProxy* proxy)
+{
+  const char* name = entry->GetAttribute("property");
+  vtkSMProperty* property = name ? proxy->GetProperty(name) : nullptr;
+  if (!property)
+  {
+    return name == nullptr;
+  }
+  const QString value = vtkSMUncheckedPropertyHelper(property).GetAsVariant(0).ToString().c_str();
+  if (const char* excepted = entry->GetAttribute("except"))
+  {
+    return !QString(excepted).split(' ').contains(value);
+  }
+  return QString(entry->GetAttributeOrEmpty("values")).split(' ').contains(value);
 }
 
 QString pqPanelLabel::textOf(vtkPVXMLElement* entry, vtkSMProperty* property)
@@ -113,7 +93,7 @@ vtkPVXMLElement* pqPanelLabel::entry() const
   {
     vtkPVXMLElement* element = this->xml()->GetNestedElement(i);
     if (QString(element->GetName()) == "PanelLabel" &&
-      Holds(element, this->parentWidget()->proxy()))
+      pqPanelLabel::holds(element, this->parentWidget()->proxy()))
     {
       last = element;
     }

@@ -3,15 +3,12 @@
 #ifndef pqPanelLabel_h
 #define pqPanelLabel_h
 
+#include "pqObservedProperties.h"
 #include "pqPropertyWidgetDecorator.h"
 
 #include "vtkSMProperty.h"
-#include "vtkWeakPointer.h"
 
 #include <QString>
-
-#include <utility>
-#include <vector>
 
 class QLabel;
 
@@ -22,7 +19,6 @@ class pqPanelLabel : public pqPropertyWidgetDecorator
 public:
   /// @param hints The property's hints, see pqIlluminationPanel.h.
   pqPanelLabel(vtkPVXMLElement* hints, pqPropertyWidget* parent);
-  ~pqPanelLabel() override;
 
   /// ParaView asks whenever it lays the panel out anew, so the label is set here.
   bool canShowWidget(bool showAdvanced) const override;
@@ -31,13 +27,16 @@ public:
   /// "Lamp Radius (m)": of an entry in the hints, or of a property by itself.
   static QString textOf(vtkPVXMLElement* entry, vtkSMProperty* property);
 
+  /// Whether an entry of the hints holds: its property has one of its values, or none of those that
+  /// are excepted, or it asks for no property.
+  static bool holds(vtkPVXMLElement* entry, vtkSMProxy* proxy);
+
 private:
-  void observe(const char* name);
   bool isReplaced() const;
   vtkPVXMLElement* entry() const;
   QLabel* label() const;
 
-  std::vector<std::pair<vtkWeakPointer<vtkSMProperty>, unsigned long>> Observed;
+  pqObservedProperties Observed;
   mutable QString Shown; ///< What the label was set to.
 };
 

@@ -412,12 +412,16 @@ def aborting(result, rank):
     return result
 
 
-def smoothing_of(data, **properties):
+def on_map_of(data, result, properties):
+    """A filter on a map of the data."""
     light = illumination_map(data, Method=0, Photons=10000)
-    result = vtkIlluminationMapSmoothing()
     result.SetInputConnection(light.GetOutputPort())
     set_all(result, properties)
     return result
+
+
+def smoothing_of(data, **properties):
+    return on_map_of(data, vtkIlluminationMapSmoothing(), properties)
 
 
 def smoothing_nothing():
@@ -447,11 +451,7 @@ FOR_EVER = 4 * 10**9
 
 
 def appearance_of(data, **properties):
-    light = illumination_map(data, Method=0, Photons=10000)
-    result = vtkIlluminatedAppearance()
-    result.SetInputConnection(light.GetOutputPort())
-    set_all(result, properties)
-    return result
+    return on_map_of(data, vtkIlluminatedAppearance(), properties)
 
 
 def sensors_at(points, **properties):

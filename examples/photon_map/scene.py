@@ -68,15 +68,11 @@ def lit(surface, photons, paths=0, **properties):
     """Lights a scene by so many photons and stores all of their hits."""
     proxy = simple.IlluminationMap(
         Input=as_source(surface),
-        LampType="Spot",
-        LampPosition=SPOT.position.tolist(),
-        LampDirection=SPOT.direction.tolist(),
-        SpotHalfAngle=SPOT.half_angle,
-        LuminousFlux=SPOT.flux,
         ReflectanceArray="Reflectance",
         Photons=photons,
         MaximumPhotons=ALL_HITS * photons,
         PhotonPaths=paths,
+        **SPOT.properties(),
         **properties,
     )
     proxy.UpdatePipeline()

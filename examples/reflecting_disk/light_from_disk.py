@@ -25,6 +25,11 @@ class Spot:
     half_angle: float  # degrees
     flux: float  # lm
 
+    def properties(self):
+        """Of Illumination Map, whose own lamp it is."""
+        return {"LampType": "Spot", "LampPosition": self.position.tolist(), "LampDirection": self.direction.tolist(),
+                "SpotHalfAngle": self.half_angle, "LuminousFlux": self.flux}
+
 
 def spot_on_disk(spot, disk, rings=96, spokes=192):
     """Where equal shares of the spot's flux land on the disk: points (n, 3), flux of each (n,), lm.

@@ -56,14 +56,10 @@ def illumination_maps(whole, points, photons=PHOTONS, seeds=SEEDS):
             whole,
             seeds,
             "IlluminanceIndirect",
-            LampType="Spot",
-            LampPosition=SPOT.position.tolist(),
-            LampDirection=SPOT.direction.tolist(),
-            SpotHalfAngle=SPOT.half_angle,
-            LuminousFlux=SPOT.flux,
             ReflectanceArray="Reflectance",
             Photons=photons,
             Registration=registration,
+            **SPOT.properties(),
         )[:, :points]
         for registration in REGISTRATIONS
     }

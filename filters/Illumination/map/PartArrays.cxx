@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <string>
 
 namespace Illumination
@@ -51,10 +50,7 @@ void AddColourErrors(const PointMapping& mapping, const std::vector<ByColour>& o
 void AddLamp(
   const std::vector<PointMapping>& mappings, const IlluminationMap& map, const std::string& name)
 {
-  std::vector<double> illuminance(map.direct.size());
-  std::transform(
-    map.direct.begin(), map.direct.end(), map.indirect.begin(), illuminance.begin(), std::plus<>());
-  AddMean(mappings, "Illuminance_" + name, illuminance);
+  AddMean(mappings, "Illuminance_" + name, map.Totals());
   for (const PointMapping& mapping : mappings)
   {
     AddArray(mapping.PointArrays(), ("StandardError_" + name).c_str(),

@@ -60,18 +60,13 @@ void MoveCounts(IlluminationSums& total, IlluminationSums& part)
   MoveInto(total.balances, part.balances);
 }
 
-void SumOver(Ranks& ranks, LightLayers& layers)
-{
-  ranks.SumAll(layers.sums);
-  ranks.SumAll(layers.lampCells.all);
-  ranks.SumAll(layers.lampCells.caustic);
-}
-
 void SumOver(Ranks& ranks, IlluminationSums& sums)
 {
   ranks.SumAll(sums.front);
   ranks.SumAll(sums.back);
-  SumOver(ranks, sums.layers);
+  ranks.SumAll(sums.layers.sums);
+  ranks.SumAll(sums.layers.lampCells.all);
+  ranks.SumAll(sums.layers.lampCells.caustic);
   ranks.SumAll(sums.cells.all); // below 2^32 in all: see CellCounts::Full
   ranks.SumAll(sums.cells.caustic);
   ranks.SumAll(sums.arrivals);

@@ -97,10 +97,6 @@ struct LightLayers
   {
   }
 
-  double Weights(std::size_t slot, std::size_t layer) const
-  {
-    return FromFixedPoint(this->sums[slot * this->perSlot + layer]);
-  }
   bool HasColour() const { return this->perSlot > 0; }
 
   std::size_t perSlot = 0;
@@ -155,7 +151,6 @@ void MoveInto(IlluminationSums& total, IlluminationSums& part);
 void MoveCounts(IlluminationSums& total, IlluminationSums& part);
 
 /// Replaces sums by those over all ranks.
-void SumOver(Ranks& ranks, LightLayers& layers);
 void SumOver(Ranks& ranks, IlluminationSums& sums);
 
 } // namespace PhotonTransport

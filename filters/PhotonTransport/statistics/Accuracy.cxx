@@ -74,7 +74,7 @@ MapErrors MeasureErrors(const IlluminationMap& map, const std::vector<double>& a
   relative.reserve(areas.size());
   for (std::size_t v = 0; v < areas.size(); ++v)
   {
-    const double total = map.direct[v] + map.indirect[v];
+    const double total = map.Total(v);
     sumOfAreas += areas[v];
     flux += areas[v] * total;
     if (total > 0.0 && areas[v] > 0.0)

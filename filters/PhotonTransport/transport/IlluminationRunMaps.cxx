@@ -39,16 +39,11 @@ std::vector<double> IlluminationRun::FacetErrorOf(const IlluminationMap& map) co
   std::vector<double> error;
   if (!this->Second)
   {
-    std::vector<double> illuminance = map.direct;
-    for (std::size_t v = 0; v < illuminance.size(); ++v)
-    {
-      illuminance[v] += map.indirect[v];
-    }
     Threads(this->Settings.threads)
       .Run(
         [&]
         {
-          error = FacetError(this->LitScene, illuminance, map.standardError,
+          error = FacetError(this->LitScene, map.Totals(), map.standardError,
             this->Settings.registration != Registration::Flat);
         });
   }
@@ -65,7 +60,7 @@ std::vector<std::array<double, 3>> IlluminationRun::FrontByColour() const
   if (this->EffectsNow.colour && this->Tracer.LampsTellColours())
   {
     return this->ColoursOfLamps(
-      [](const IlluminationMap& map, std::size_t v) { return map.direct[v] + map.indirect[v]; });
+      [](const IlluminationMap& map, std::size_t v) { return map.Total(v); });
   }
   std::vector<std::array<double, 3>> front = this->Sums.FrontByColour(this->Scale(), this->Factors);
   if (this->Second)
@@ -90,14 +85,8 @@ std::vector<std::array<double, 3>> IlluminationRun::ColourErrors() const
 /// What photons have registered.
 std::vector<double> IlluminationRun::LampAlone(std::size_t lamp) const
 {
-  std::vector<double> front(this->LitScene.VertexAreas().size(), 0.0);
-  if (this->Settings.lampsApart)
-  {
-    const IlluminationMap map = this->MapOfLamp(lamp);
-    std::transform(
-      map.direct.begin(), map.direct.end(), map.indirect.begin(), front.begin(), std::plus<>());
-  }
-  return front;
+  return this->Settings.lampsApart ? this->MapOfLamp(lamp).Totals()
+                                   : std::vector<double>(this->LitScene.VertexAreas().size(), 0.0);
 }
 
 std::vector<double> IlluminationRun::FrontOfLamp(std::size_t lamp) const

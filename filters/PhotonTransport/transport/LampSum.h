@@ -61,7 +61,7 @@ public:
     double indirect = 0.0;
     for (const Part& part : this->Parts)
     {
-      const VertexSums total = this->Sums.TotalOfSlot(part.firstSlot + vertex);
+      const VertexSums total = this->Sums.Total(part.firstSlot + vertex);
       exact += total;
       direct += part.factor * FromFixedPoint(total.direct);
       indirect += part.factor * FromFixedPoint(total.indirect);
@@ -139,7 +139,7 @@ public:
     double hits = 0.0;
     for (std::size_t v = 0; v < sums.direct.size(); ++v)
     {
-      weights += sums.direct[v] + sums.indirect[v];
+      weights += sums.Total(v);
       hits += this->At(v, sums.photonHits[v]).sum;
     }
     return weights > 0.0 ? weights / this->Largest / hits : FewHits::WithoutCompensation;

@@ -71,9 +71,7 @@ std::vector<ByColour> ReplicateSums::ColourErrors(
   }
   const LampSum sumOf(this->front, factors);
   Hits all;
-  IlluminationMap few{ std::vector<double>(areas.size(), 0.0),
-    std::vector<double>(areas.size(), 0.0), {}, std::vector<double>(areas.size(), 0.0),
-    std::vector<std::uint64_t>(areas.size(), 0) };
+  IlluminationMap few = IlluminationMap::WithoutLight(areas.size());
   for (std::size_t v = 0; v < errors.size(); ++v)
   {
     sumOf.AddTotals(v, few);

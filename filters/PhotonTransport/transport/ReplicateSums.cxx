@@ -102,9 +102,7 @@ std::vector<double> ReplicateSums::CutByWeightBound() const
 IlluminationMap ReplicateSums::Map(
   Side side, const MapScale& scale, const LampFactors& factors) const
 {
-  const std::size_t vertices = scale.areas.size();
-  IlluminationMap map{ std::vector<double>(vertices, 0.0), std::vector<double>(vertices, 0.0), {},
-    std::vector<double>(vertices, 0.0), std::vector<std::uint64_t>(vertices, 0) };
+  IlluminationMap map = IlluminationMap::WithoutLight(scale.areas.size());
   const auto emitted = static_cast<double>(this->Balance().emitted);
   const SideSums& sums = this->*side;
   if (!(emitted > 0.0) || sums.Slots() == 0)
@@ -158,8 +156,8 @@ void ReplicateSums::CountFewHits(const SideSums& sums, const MapScale& scale,
     ForEachWithArea(scale.areas,
       [&](std::size_t v)
       {
-        map.standardError[v] = few.StandardError(
-          map.standardError[v], map.photonHits[v], map.direct[v] + map.indirect[v]);
+        map.standardError[v] =
+          few.StandardError(map.standardError[v], map.photonHits[v], map.Total(v));
       });
     return;
   }

@@ -34,7 +34,7 @@ void SideSums::Add(std::size_t replicate, std::vector<VertexSums>& sums)
     });
 }
 
-VertexSums SideSums::TotalOfSlot(std::size_t slot) const
+VertexSums SideSums::Total(std::size_t slot) const
 {
   VertexSums total;
   total.hits = this->hits[slot];
@@ -47,16 +47,6 @@ VertexSums SideSums::TotalOfSlot(std::size_t slot) const
     total.indirect += ofReplicate[slot];
   }
   total.indirect -= total.direct;
-  return total;
-}
-
-VertexSums SideSums::Total(std::size_t vertex) const
-{
-  VertexSums total;
-  for (std::size_t slot = vertex; slot < this->Slots(); slot += this->Vertices())
-  {
-    total += this->TotalOfSlot(slot);
-  }
   return total;
 }
 

@@ -30,9 +30,7 @@ struct SideSums
   std::size_t Slots() const { return this->hits.size(); }
   std::size_t Vertices() const { return this->hits.size() / this->lamps; }
   /// Of all replicates.
-  VertexSums TotalOfSlot(std::size_t slot) const;
-  /// Of all lamps, too.
-  VertexSums Total(std::size_t vertex) const;
+  VertexSums Total(std::size_t slot) const;
 
   std::size_t lamps = 1;                        ///< That are kept apart.
   std::vector<std::vector<FixedPoint>> weights; ///< [replicate][slot] Of all light.
