@@ -82,7 +82,6 @@ def check_statistics(folder):
 
 
 def check_errors(folder):
-    sys.path.insert(0, str(HERE))
     start(3, "--sym", WORKER, "errors", folder)
     parts = read(folder, "errors_", 3)
     for name in parts[0]:
