@@ -136,15 +136,16 @@ std::vector<double> WithoutCompensation(
   return result;
 }
 
-/// What undoing the mean changes, by Richardson's iteration e += x - M e from e = x.
-std::vector<double> Changes(const HatMeans& means, const std::vector<double>& light,
-  const std::vector<double>& withoutCompensation)
+/// What undoing the mean changes, by Richardson's iteration e += x - M e from e = light.
+/// @param x The map as it would be without compensation.
+std::vector<double> Changes(
+  const HatMeans& means, const std::vector<double>& light, const std::vector<double>& x)
 {
   std::vector<double> undone = light;
   for (int step = 0; step < Steps; ++step)
   {
     const std::vector<double> mean = means.Of(undone);
-    ForEach(undone.size(), [&](std::size_t v) { undone[v] += withoutCompensation[v] - mean[v]; });
+    ForEach(undone.size(), [&](std::size_t v) { undone[v] += x[v] - mean[v]; });
   }
   ForEach(undone.size(), [&](std::size_t v) { undone[v] = light[v] - undone[v]; });
   return undone;
@@ -156,68 +157,55 @@ struct Squares
   std::vector<double> all, noise;
 };
 
-/// @param own The changes of the light. @param noise Of the light.
-Squares SquaresOf(const Scene& scene, const HatMeans& means, std::vector<double> own,
-  std::vector<double> noise, bool compensated)
+/// @param changes Of the light. @param noise Of the light, times `unit`.
+Squares SquaresOf(const Scene& scene, const HatMeans& means, const std::vector<double>& changes,
+  const std::vector<double>& noise, double unit, bool compensated)
 {
-  const std::size_t size = own.size();
-  std::vector<double>& noiseSquares = noise;
-  std::vector<double> ownSquares(size);
   const auto factor = [&](std::size_t v) {
     return compensated && !scene.Vertices()[v].IsFlat() ? OfCompensated * InTheMidst : InTheMidst;
   };
-  ForEach(size,
-    [&](std::size_t v)
-    {
-      own[v] = factor(v) * own[v];
-      ownSquares[v] = Square(own[v]);
-      noiseSquares[v] = Square(factor(v) * NoiseOfChange * noise[v]);
-    });
-  own = means.Of(own);
-  Squares squares{ means.Of(ownSquares), means.Of(noiseSquares) };
-  ForEach(size,
+  const auto own = [&](std::size_t v) { return factor(v) * changes[v]; };
+  const auto ownSquare = [&](std::size_t v) { return Square(own(v)); };
+  const auto noiseSquare = [&](std::size_t v)
+  { return Square(factor(v) * NoiseOfChange * (noise[v] / unit)); };
+  Squares squares{ std::vector<double>(changes.size()), std::vector<double>(changes.size()) };
+  ForEach(changes.size(),
     [&](std::size_t v)
     {
       const double border =
         1.0 + AtBorders / InTheMidst * OneSidedness(scene, means, static_cast<std::uint32_t>(v));
-      const double spread = std::max(0.0, squares.all[v] - Square(own[v]));
-      squares.all[v] = Square(border) * ownSquares[v] + OfSpread * spread;
-      squares.noise[v] = Square(border) * noiseSquares[v] + OfSpread * squares.noise[v];
+      const double spread = std::max(0.0, means.At(v, ownSquare) - Square(means.At(v, own)));
+      squares.all[v] = Square(border) * ownSquare(v) + OfSpread * spread;
+      squares.noise[v] = Square(border) * noiseSquare(v) + OfSpread * means.At(v, noiseSquare);
     });
   return squares;
 }
 
 /// Keeps the share of the squares that noise does not explain, over a neighbourhood: at a single
-/// vertex noise and error can't be told apart.
-std::vector<double> WithoutNoise(const HatMeans& means, const Squares& squares)
+/// vertex noise and error can't be told apart. @return Errors.
+std::vector<double> WithoutNoise(const HatMeans& means, Squares squares)
 {
-  std::vector<double> all = squares.all;
-  std::vector<double> noise = squares.noise;
-  for (int i = 0; i < Pooling; ++i)
+  std::vector<double> all = means.Of(squares.all);
+  std::vector<double> noise = means.Of(squares.noise);
+  squares.noise = {};
+  for (int i = 1; i < Pooling; ++i)
   {
     all = means.Of(all);
     noise = means.Of(noise);
   }
-  std::vector<double> errors(all.size());
-  ForEach(errors.size(),
+  ForEach(all.size(),
     [&](std::size_t v)
     {
       const double subtracted = Reserve * noise[v];
       const double share = all[v] > subtracted ? 1.0 - subtracted / all[v] : 0.0;
-      errors[v] = std::sqrt(share * squares.all[v]);
+      squares.all[v] = std::sqrt(share * squares.all[v]);
     });
-  return errors;
-}
-
-std::vector<double> Divided(std::vector<double> values, double divisor)
-{
-  ForEach(values.size(), [&](std::size_t v) { values[v] /= divisor; });
-  return values;
+  return std::move(squares.all);
 }
 
 } // namespace
 
-std::vector<double> FacetError(const Scene& scene, const std::vector<double>& illuminance,
+std::vector<double> FacetError(const Scene& scene, std::vector<double> illuminance,
   const std::vector<double>& standardError, bool compensated)
 {
   double largest = 0.0; // by which squares neither vanish nor overflow
@@ -230,13 +218,12 @@ std::vector<double> FacetError(const Scene& scene, const std::vector<double>& il
     return std::vector<double>(illuminance.size(), 0.0);
   }
   const HatMeans means(scene);
-  std::vector<double> changes;
-  {
-    const std::vector<double> light = Divided(illuminance, largest);
-    changes = Changes(means, light, compensated ? WithoutCompensation(scene, means, light) : light);
-  }
-  std::vector<double> errors = WithoutNoise(means,
-    SquaresOf(scene, means, std::move(changes), Divided(standardError, largest), compensated));
+  ForEach(illuminance.size(), [&](std::size_t v) { illuminance[v] /= largest; });
+  const std::vector<double> changes = Changes(means, illuminance,
+    compensated ? WithoutCompensation(scene, means, illuminance) : illuminance);
+  illuminance = {};
+  std::vector<double> errors = WithoutNoise(
+    means, SquaresOf(scene, means, changes, standardError, largest, compensated));
   ForEach(errors.size(), [&](std::size_t v) { errors[v] *= largest; });
   return errors;
 }

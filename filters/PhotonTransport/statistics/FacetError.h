@@ -23,7 +23,7 @@ namespace PhotonTransport
 /// @param illuminance [vertex] lx, of one side. @param standardError Its, lx.
 /// @param compensated Whether registration compensated the tilt of facets against vertex normals.
 /// The result has the same bits for any number of threads.
-std::vector<double> FacetError(const Scene& scene, const std::vector<double>& illuminance,
+std::vector<double> FacetError(const Scene& scene, std::vector<double> illuminance,
   const std::vector<double>& standardError, bool compensated);
 
 } // namespace PhotonTransport

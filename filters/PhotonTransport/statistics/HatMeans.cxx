@@ -13,22 +13,17 @@ HatMeans::HatMeans(const Scene& scene)
   , OfScene(scene.WholeRings())
   , RingAreas(scene.NumberOfMapVertices(), 0.0)
 {
-  this->OfScene ? this->AddWholeFacets() : this->AddFacets();
-  for (std::uint32_t f = 0; f < this->FacetAreas.size(); ++f)
+  if (!this->OfScene)
+  {
+    this->AddFacets();
+  }
+  for (std::uint32_t f = 0; f < this->NumberOfFacets(); ++f)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      this->RingAreas[this->VerticesOf(f)[corner]] += this->FacetAreas[f];
+      this->RingAreas[this->VerticesOf(f)[corner]] += this->AreaOf(f);
     }
   }
-}
-
-void HatMeans::AddWholeFacets()
-{
-  const std::vector<glm::vec3>& areas = this->LitScene.AreaVectors();
-  this->FacetAreas.resize(areas.size());
-  ForEach(
-    areas.size(), [&](std::size_t f) { this->FacetAreas[f] = glm::length(glm::dvec3(areas[f])); });
 }
 
 void HatMeans::AddFacets()
@@ -52,18 +47,7 @@ std::vector<double> HatMeans::Of(const std::vector<double>& values) const
 {
   std::vector<double> means(values.size());
   ForEach(values.size(),
-    [&](std::size_t v)
-    {
-      double sum = 0.0; // of facets' areas times the sums over their corners
-      for (const std::uint32_t facet : this->Rings().Of(static_cast<std::uint32_t>(v)))
-      {
-        const glm::uvec3& ids = this->VerticesOf(facet);
-        sum += this->FacetAreas[facet] * (values[ids.x] + values[ids.y] + values[ids.z]);
-      }
-      // The integral of two hat functions is A/12 over a common facet, and that of a square A/6.
-      means[v] =
-        this->RingAreas[v] > 0.0 ? 0.25 * (values[v] + sum / this->RingAreas[v]) : values[v];
-    });
+    [&](std::size_t v) { means[v] = this->At(v, [&](std::size_t u) { return values[u]; }); });
   return means;
 }
 

@@ -4,8 +4,10 @@
 #include "PhotonTransport/geometry/FacetRings.h"
 #include "PhotonTransport/scene/Scene.h"
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,7 +25,24 @@ public:
 
   std::size_t Vertices() const { return this->RingAreas.size(); }
 
-  /// The hat means of values at the vertices. A vertex without a facet keeps its value.
+  /// The hat mean at a vertex of valueOf(vertex) at all vertices. A vertex without a facet keeps its
+  /// value.
+  template <typename Function>
+  double At(std::size_t vertex, const Function& valueOf) const
+  {
+    const double own = valueOf(vertex);
+    double sum = 0.0; // of facets' areas times the sums over their corners
+    for (const std::uint32_t facet : this->Rings().Of(static_cast<std::uint32_t>(vertex)))
+    {
+      const glm::uvec3& ids = this->VerticesOf(facet);
+      sum += this->AreaOf(facet) * (valueOf(ids.x) + valueOf(ids.y) + valueOf(ids.z));
+    }
+    // The integral of two hat functions is A/12 over a common facet, and that of a square A/6.
+    const double area = this->RingAreas[vertex];
+    return area > 0.0 ? 0.25 * (own + sum / area) : own;
+  }
+
+  /// The hat means of values at all vertices.
   std::vector<double> Of(const std::vector<double>& values) const;
 
   /// Calls f(neighbour, weight) for each facet's two other vertices; each neighbour comes once a
@@ -42,26 +61,35 @@ public:
         const std::uint32_t neighbour = this->VerticesOf(facet)[corner];
         if (neighbour != vertex)
         {
-          f(neighbour, 0.25 * this->FacetAreas[facet] / this->RingAreas[vertex]);
+          f(neighbour, 0.25 * this->AreaOf(facet) / this->RingAreas[vertex]);
         }
       }
     }
   }
 
 private:
-  // The scene's own where it has what is needed, which saves 56 bytes a vertex.
+  // The scene's own where it has what is needed, which saves 72 bytes a vertex.
   const FacetRings& Rings() const { return this->OfScene ? *this->OfScene : this->OwnRings; }
   const glm::uvec3& VerticesOf(std::uint32_t facet) const
   {
     return this->OfScene ? this->LitScene.GivenVertices(facet) : this->Facets[facet];
   }
-  void AddWholeFacets();
+  /// In the scene's unit.
+  double AreaOf(std::uint32_t facet) const
+  {
+    return this->OfScene ? glm::length(glm::dvec3(this->LitScene.AreaVectors()[facet]))
+                         : this->FacetAreas[facet];
+  }
+  std::size_t NumberOfFacets() const
+  {
+    return this->OfScene ? this->LitScene.Facets().size() : this->Facets.size();
+  }
   void AddFacets();
 
   const Scene& LitScene;
   const FacetRings* OfScene;      ///< Null where facets have parts or copies.
   std::vector<glm::uvec3> Facets; ///< As given, without parts; empty where OfScene serves.
-  std::vector<double> FacetAreas; ///< In the scene's unit.
+  std::vector<double> FacetAreas; ///< Theirs.
   std::vector<double> RingAreas;  ///< [vertex] Of the facets around.
   FacetRings OwnRings;
 };
