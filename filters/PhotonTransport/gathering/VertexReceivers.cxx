@@ -13,18 +13,16 @@ constexpr float Within = 3e-3f;
 
 FacetRings RingsOfMap(const Scene& scene)
 {
-  std::vector<glm::uvec3> corners;
-  corners.reserve(scene.Facets().size());
-  for (const Facet& facet : scene.Facets())
-  {
-    glm::uvec3 ids = facet.vertices;
-    for (int c = 0; c < 3; ++c)
+  return { scene.NumberOfMapVertices(), scene.Facets().size(),
+    [&](std::size_t f)
     {
-      ids[c] = ids[c] < scene.NumberOfMapVertices() ? ids[c] : NoVertex;
-    }
-    corners.push_back(ids);
-  }
-  return { scene.NumberOfMapVertices(), corners };
+      glm::uvec3 ids = scene.Facets()[f].vertices;
+      for (int c = 0; c < 3; ++c)
+      {
+        ids[c] = ids[c] < scene.NumberOfMapVertices() ? ids[c] : NoVertex;
+      }
+      return ids;
+    } };
 }
 
 } // namespace

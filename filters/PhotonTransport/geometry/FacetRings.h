@@ -3,7 +3,9 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace PhotonTransport
@@ -27,7 +29,14 @@ class FacetRings
 {
 public:
   FacetRings() = default;
-  FacetRings(std::size_t vertexCount, const std::vector<glm::uvec3>& facets);
+  /// @param verticesOf Gives the three vertices of a facet by its index, each one below
+  /// `vertexCount` or NoVertex.
+  template <typename VerticesOf>
+  FacetRings(std::size_t vertexCount, std::size_t facetCount, const VerticesOf& verticesOf);
+  FacetRings(std::size_t vertexCount, const std::vector<glm::uvec3>& facets)
+    : FacetRings(vertexCount, facets.size(), [&](std::size_t f) { return facets[f]; })
+  {
+  }
 
   Range<std::uint32_t> Of(std::uint32_t vertex) const
   {
@@ -39,5 +48,33 @@ private:
   std::vector<std::uint64_t> Offsets;
   std::vector<std::uint32_t> Facets;
 };
+
+template <typename VerticesOf>
+FacetRings::FacetRings(
+  std::size_t vertexCount, std::size_t facetCount, const VerticesOf& verticesOf)
+  : Offsets(vertexCount + 2, 0)
+{
+  const auto forEachCorner = [&](const auto& f)
+  {
+    for (std::size_t facet = 0; facet < facetCount; ++facet)
+    {
+      const glm::uvec3 vertices = verticesOf(facet);
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        if (vertices[corner] != NoVertex)
+        {
+          f(vertices[corner], static_cast<std::uint32_t>(facet));
+        }
+      }
+    }
+  };
+  // Sizes of rings become their beginnings, and these move to their ends as facets are added.
+  forEachCorner([&](std::size_t vertex, std::uint32_t) { ++this->Offsets[vertex + 2]; });
+  std::partial_sum(this->Offsets.begin(), this->Offsets.end(), this->Offsets.begin());
+  this->Facets.resize(this->Offsets.back());
+  forEachCorner([&](std::size_t vertex, std::uint32_t facet)
+    { this->Facets[this->Offsets[vertex + 1]++] = facet; });
+  this->Offsets.pop_back();
+}
 
 } // namespace PhotonTransport

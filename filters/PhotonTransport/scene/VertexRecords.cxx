@@ -53,22 +53,25 @@ std::uint8_t WhyNotUsable(const glm::dvec3& givenNormal, const std::vector<glm::
 /// copies are left out, whose light and area count once; see SharedPlace.
 FacetRings Scene::RingsThatCount(std::size_t vertices) const
 {
-  std::vector<glm::uvec3> kept(this->FacetRecords.size());
-  ForEach(kept.size(),
-    [&](std::size_t i)
+  return { vertices, this->FacetRecords.size(),
+    [this](std::size_t i)
     {
       const auto f = static_cast<std::uint32_t>(i);
-      kept[f] = this->GivenVertices(f);
+      glm::uvec3 kept = this->GivenVertices(f);
+      if (this->Shared.empty() && this->GivenFacets.empty())
+      {
+        return kept; // all count, as nearly everywhere
+      }
       for (int corner = 0; corner < 3; ++corner)
       {
         const bool isCopy = !this->Shared.empty() && ((this->Shared[f] >> corner) & 1u) != 0;
         if (isCopy || this->ShareOfCorner(f, corner) == 0.0f)
         {
-          kept[f][corner] = NoVertex;
+          kept[corner] = NoVertex;
         }
       }
-    });
-  return { vertices, kept };
+      return kept;
+    } };
 }
 
 /// Three times the mean over a facet of the hat function of one of the given facet's corners.
