@@ -41,8 +41,7 @@ public:
   {
     ForEach(
       this->Tree.Leaves(), [&](std::size_t leaf) { this->CompareLeaf(leaf); }, 64);
-    return this->AnyFound ? std::vector<std::uint8_t>(this->Bits.begin(), this->Bits.end())
-                          : std::vector<std::uint8_t>();
+    return { this->Bits.begin(), this->Bits.end() };
   }
 
 private:
@@ -80,13 +79,29 @@ private:
     {
       const FourBits lanes = { 0, 1, 2, 3 };
       const auto before = static_cast<std::int32_t>(first > 4 * h ? first - 4 * h : 0);
-      const FourBits candidates = one.Candidates(leaf, bounds, h, lanes >= before);
-      for (std::size_t i = 0; i < 4 && Any(candidates); ++i)
+      const OneFacet::Neighbours found = one.NeighboursIn(leaf, bounds, h, lanes >= before);
+      for (std::size_t i = 0; i < 4 && Any(found.notBeside); ++i)
       {
-        if (candidates[i] != 0)
+        const std::uint32_t other = leaf.facets[4 * h + i];
+        if (found.notBeside[i] != 0)
         {
-          this->Compare(facet, leaf.facets[4 * h + i]);
+          this->Mark(facet, other, MayBeBefore);
         }
+        if (found.candidates[i] != 0)
+        {
+          this->Compare(facet, other);
+        }
+      }
+    }
+  }
+
+  void Mark(std::uint32_t one, std::uint32_t other, std::uint8_t bit)
+  {
+    for (const std::uint32_t facet : { one, other })
+    {
+      if ((this->Bits[facet].load(std::memory_order_relaxed) & bit) == 0)
+      {
+        this->Bits[facet].fetch_or(bit, std::memory_order_relaxed);
       }
     }
   }
@@ -103,9 +118,7 @@ private:
     if (cosine > SameSheet ? this->MayOverlap(one, other)
                            : cosine < -SameSheet && this->MayBeTwoSheets(one, other))
     {
-      this->Bits[one].fetch_or(bit, std::memory_order_relaxed);
-      this->Bits[other].fetch_or(bit, std::memory_order_relaxed);
-      this->AnyFound = true;
+      this->Mark(one, other, bit);
     }
   }
 
@@ -161,7 +174,6 @@ private:
   float PlaneCells;
   FacetTree Tree;
   std::vector<std::atomic<std::uint8_t>> Bits;
-  std::atomic<bool> AnyFound{ false };
 };
 
 } // namespace

@@ -20,11 +20,15 @@ enum CloseFacet : std::uint8_t
   FacesAlike = 1,
   /// One that faces the other way: CAD programs export a wall once for each of its sides. A ray
   /// can't tell which of the two it meets first.
-  FacesOpposite = 2
+  FacesOpposite = 2,
+  /// Any that a ray may meet that looks back at the middle of the facet, see FindThinGaps: one near
+  /// it of which it is not known that it lies beside it in nearly the same plane.
+  MayBeBefore = 4
 };
 
-/// For each facet its bits, or nothing if no facet has any, as in nearly all scenes. No facet is
-/// missing of those that overlap others, and there may be more.
+/// For each facet its bits. No facet is missing of those that overlap others, and there may be
+/// more; nor is one that has another before its middle, of those that are wide enough, see
+/// Scene::MayHaveGap.
 /// @param planeCells See PlaneCellsPerUnit.
 std::vector<std::uint8_t> FindCloseFacets(const std::vector<glm::vec3>& positions,
   const std::vector<Facet>& facets, const DataRounding& rounding, float planeCells);

@@ -39,6 +39,11 @@ inline Four Largest(const Four& a, const Four& b)
   return a < b ? b : a;
 }
 
+inline Four FourTimes(float number)
+{
+  return Four{ number, number, number, number };
+}
+
 inline bool Any(const FourBits& bits)
 {
   std::uint64_t halves[2];
@@ -95,16 +100,24 @@ public:
       glm::all(glm::lessThanEqual(box.low, this->High));
   }
 
-  /// The facets of half a leaf whose boxes meet that of this one, and that face the same way and
-  /// may have more than a sliver in common with it, or face the other way.
+  /// What is said of half a leaf's facets.
+  struct Neighbours
+  {
+    /// The boxes meet that of this one, and they face the same way and may have more than a sliver
+    /// in common with it, or face the other way.
+    FourBits candidates;
+    /// These, and others whose boxes meet that of this one, but that face elsewhere.
+    FourBits notBeside;
+  };
+
   /// @param wanted Of these facets alone.
-  FourBits Candidates(const FacetTree::Leaf& leaf, const LeafBounds& bounds, std::size_t half,
+  Neighbours NeighboursIn(const FacetTree::Leaf& leaf, const LeafBounds& bounds, std::size_t half,
     const FourBits& wanted) const
   {
     const FourBits near = wanted & this->Near(bounds, half);
     if (!Any(near))
     {
-      return near;
+      return { near, near };
     }
     const Four cosine = this->Normal.x * leaf.normals[0][half] +
       this->Normal.y * leaf.normals[1][half] + this->Normal.z * leaf.normals[2][half];
@@ -112,10 +125,14 @@ public:
     const FourBits alike = near & (cosine > AboutSameSheet);
     if (this->IsSliver || !Any(alike))
     {
-      return alike | opposite;
+      return { alike | opposite, near };
     }
-    const FourBits left = alike & ~this->DividedByThis(leaf, half);
-    return (Any(left) ? left & ~this->DividedByOthers(leaf, half) : left) | opposite;
+    FourBits left = alike & ~this->DividedByThis(leaf, half);
+    if (Any(left))
+    {
+      left &= ~this->DividedByOthers(leaf, half);
+    }
+    return { left | opposite, near & ~(alike & ~left) };
   }
 
 private:
@@ -126,23 +143,26 @@ private:
     const int axis = BestAxis(this->Normal);
     this->AxisU = (axis + 1) % 3;
     this->AxisV = (axis + 2) % 3;
+    float u[3], v[3];
     for (std::size_t i = 0; i < 3; ++i)
     {
-      this->U[i] = corners[i][this->AxisU];
-      this->V[i] = corners[i][this->AxisV];
+      u[i] = corners[i][this->AxisU];
+      v[i] = corners[i][this->AxisV];
+      this->U[i] = FourTimes(u[i]);
+      this->V[i] = FourTimes(v[i]);
     }
-    float twiceArea = (this->U[1] - this->U[0]) * (this->V[2] - this->V[0]) -
-      (this->V[1] - this->V[0]) * (this->U[2] - this->U[0]);
+    float twiceArea = (u[1] - u[0]) * (v[2] - v[0]) - (v[1] - v[0]) * (u[2] - u[0]);
     const float sign = twiceArea < 0.0f ? -1.0f : 1.0f;
     twiceArea *= sign;
     float longest = 0.0f;
     for (int i = 0; i < 3; ++i)
     {
       const int next = (i + 1) % 3;
-      this->AlongU[i] = sign * (this->U[next] - this->U[i]);
-      this->AlongV[i] = sign * (this->V[next] - this->V[i]);
-      const float length = std::max(std::fabs(this->AlongU[i]), std::fabs(this->AlongV[i]));
-      this->Inmost[i] = this->Width * length;
+      const float alongU = sign * (u[next] - u[i]), alongV = sign * (v[next] - v[i]);
+      this->AlongU[i] = FourTimes(alongU);
+      this->AlongV[i] = FourTimes(alongV);
+      const float length = std::max(std::fabs(alongU), std::fabs(alongV));
+      this->Inmost[i] = FourTimes(this->Width * length);
       longest = std::max(longest, length);
     }
     this->IsSliver = longest < Tiny || twiceArea <= 4.0f * this->Width * longest;
@@ -198,9 +218,9 @@ private:
   }
 
   glm::vec3 Normal, Low, High;
-  float U[3], V[3], AlongU[3], AlongV[3];
-  float Width;     ///< Half of the sliver that neighbours may have in common.
-  float Inmost[3]; ///< What is no farther inside an edge, times its length, is outside.
+  Four U[3], V[3], AlongU[3], AlongV[3]; ///< Each number four times.
+  float Width;                           ///< Half of the sliver that neighbours may have in common.
+  Four Inmost[3]; ///< What is no farther inside an edge, times its length, is outside.
   int AxisU, AxisV;
   bool IsSliver;
 };

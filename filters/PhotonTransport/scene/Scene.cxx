@@ -96,16 +96,17 @@ Scene::Scene(const Surface& surface)
   this->Found.turn = surface.given.turn;
   this->Found.isCoarse = surface.given.isCoarse;
   this->RequireSize();
+  std::vector<std::uint8_t> close;
   {
     const PlacedPoints points{ ScenePositions(surface, this->Place), UsableNormals(surface) };
     this->AddFacets(surface, points);
-    this->FindSharedPlaces(points.positions);
+    close = this->FindSharedPlaces(points.positions);
     this->AddVertices(surface, points);
   }
   UseHugePages(this->FacetRecords);
   UseHugePages(this->VertexRecords);
   this->BuildBvh();
-  this->FindThinGaps();
+  this->FindThinGaps(close);
 }
 
 std::uint32_t Scene::InSurface(std::uint32_t facet) const

@@ -198,7 +198,7 @@ private:
   std::uint8_t MakeVertex(std::uint32_t vertex, const std::vector<glm::vec3>& ring,
     const glm::dvec3& givenNormal, const glm::vec3& position);
   void NoteVertices(const std::vector<std::uint8_t>& found);
-  void FindSharedPlaces(const std::vector<glm::vec3>& positions);
+  std::vector<std::uint8_t> FindSharedPlaces(const std::vector<glm::vec3>& positions);
   void FindOverlaps(const std::vector<glm::vec3>& positions, const std::vector<FacetPlane>& planes,
     const std::vector<PlaneMember>& groups);
   void FinishNotesOnSharedPlaces();
@@ -216,7 +216,8 @@ private:
   glm::vec3 SafeOriginOnPart(const Hit& hit, bool front) const;
   glm::vec3 SafeOriginAt(const glm::vec3& point, const Hit& hit, bool front) const;
   void BuildBvh();
-  void FindThinGaps();
+  bool MayHaveGap(std::uint32_t facet, const std::vector<std::uint8_t>& close) const;
+  void FindThinGaps(const std::vector<std::uint8_t>& close);
 
   Placement Place;
   DataRounding Rounding;

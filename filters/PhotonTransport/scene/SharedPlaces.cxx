@@ -158,7 +158,8 @@ void Scene::JoinNearOverlaps(NearOverlaps& near)
     static_cast<std::size_t>(std::unique(facets.begin(), facets.end()) - facets.begin());
 }
 
-void Scene::FindSharedPlaces(const std::vector<glm::vec3>& positions)
+/// @return What FindCloseFacets says.
+std::vector<std::uint8_t> Scene::FindSharedPlaces(const std::vector<glm::vec3>& positions)
 {
   const auto having = [](std::vector<std::uint8_t> bits, std::uint8_t bit)
   {
@@ -179,7 +180,7 @@ void Scene::FindSharedPlaces(const std::vector<glm::vec3>& positions)
   };
   const std::size_t facets = this->FacetRecords.size();
   const float cells = PlaneCellsPerUnit(facets, planeOf, this->Rounding);
-  const std::vector<std::uint8_t> close =
+  std::vector<std::uint8_t> close =
     FindCloseFacets(positions, this->FacetRecords, this->Rounding, cells);
   this->DoubleSheets = having(close, FacesOpposite);
   const std::vector<std::uint8_t> alike = having(close, FacesAlike);
@@ -190,6 +191,7 @@ void Scene::FindSharedPlaces(const std::vector<glm::vec3>& positions)
     this->FindOverlaps(positions, planes, SharedPlanes(planes, alike, cells));
   }
   this->FinishNotesOnSharedPlaces();
+  return close;
 }
 
 void Scene::FindOverlaps(const std::vector<glm::vec3>& positions,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/materials/Scattering.h"
+#include "PhotonTransport/scene/CloseFacets.h"
 #include "PhotonTransport/scene/Scene.h"
 #include "PhotonTransport/threads/Threads.h"
 
@@ -42,21 +43,22 @@ public:
   {
   }
 
-  /// Looks at the facets [first, last).
-  ThinGaps Run(std::uint32_t first, std::uint32_t last)
+  void LookAt(std::uint32_t facet)
   {
-    for (std::uint32_t f = first; f < last; ++f)
+    this->Add(facet, true);
+    if (this->LetsLightThrough(facet))
     {
-      this->Add(f, true);
-      if (this->LetsLightThrough(f))
-      {
-        this->Add(f, false);
-      }
-      if (this->Probes.size() + 2 > Together || f + 1 == last)
-      {
-        this->Look();
-      }
+      this->Add(facet, false);
     }
+    if (this->Probes.size() + 2 > Together)
+    {
+      this->Look();
+    }
+  }
+
+  ThinGaps Result()
+  {
+    this->Look();
     return this->Found;
   }
 
@@ -224,7 +226,25 @@ void Add(ThinGaps& found, const ThinGaps& later)
 
 } // namespace
 
-void Scene::FindThinGaps()
+/// Whether something may lie before the middle of a facet, nearer than rays start there, or whether
+/// the facet may be too small for that to be found out.
+///
+/// All that a ray may meet that looks back at the middle from an offset away has its box within the
+/// margins of FindCloseFacets, which are 36 offsets or more, unless the offset is enlarged next to
+/// the origin or between sheets. What lies beyond an edge of the facet, or has the facet beyond an
+/// edge of its own, reaches over it by 2 offsets at most (HalfSliver), seen along an axis. The
+/// middle is a third of a height from the edges, at least 6 offsets as seen along the axis if a
+/// height is 32 offsets, and the ray moves by less than one across the axis.
+bool Scene::MayHaveGap(std::uint32_t facet, const std::vector<std::uint8_t>& close) const
+{
+  constexpr float WideEnough = EdgeClearance / 32.0f;
+  constexpr float UsualReach = 0x1p-4f;
+  return (close[facet] & MayBeBefore) != 0 || this->LeastReach > UsualReach ||
+    this->FacetRecords[facet].marginPerOffset * OriginOffset > WideEnough;
+}
+
+/// @param close What FindCloseFacets says.
+void Scene::FindThinGaps(const std::vector<std::uint8_t>& close)
 {
   constexpr std::size_t Chunk = 4096;
   const std::size_t facets = this->FacetRecords.size();
@@ -234,8 +254,16 @@ void Scene::FindThinGaps()
     {
       for (std::uint64_t c = begin; c < end; ++c)
       {
-        chunks[c] = Search(*this).Run(static_cast<std::uint32_t>(c * Chunk),
-          static_cast<std::uint32_t>(std::min((c + 1) * Chunk, facets)));
+        Search search(*this);
+        const auto last = static_cast<std::uint32_t>(std::min((c + 1) * Chunk, facets));
+        for (auto f = static_cast<std::uint32_t>(c * Chunk); f < last; ++f)
+        {
+          if (this->MayHaveGap(f, close))
+          {
+            search.LookAt(f);
+          }
+        }
+        chunks[c] = search.Result();
       }
     });
   ThinGaps& all = this->Found.thinGaps;
