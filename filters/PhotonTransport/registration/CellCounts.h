@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/memory/HugePages.h"
 #include "PhotonTransport/registration/CellSide.h"
 
 #include <algorithm>
@@ -25,9 +26,9 @@ struct CellCounts
   /// @param caustics Whether caustics are counted, too.
   CellCounts(std::size_t cells, std::size_t channelsOfLight, bool caustics)
     : channels(channelsOfLight)
-    , all(cells * 2 * channelsOfLight, 0)
-    , caustic(caustics ? this->all.size() : 0, 0)
   {
+    ResizeOnHugePages(this->all, cells * 2 * channelsOfLight);
+    ResizeOnHugePages(this->caustic, caustics ? this->all.size() : 0);
   }
 
   bool IsEmpty() const { return this->all.empty(); }

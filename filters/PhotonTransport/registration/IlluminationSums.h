@@ -2,6 +2,7 @@
 #pragma once
 
 #include "PhotonTransport/materials/Colour.h"
+#include "PhotonTransport/memory/HugePages.h"
 #include "PhotonTransport/registration/Arrivals.h"
 #include "PhotonTransport/registration/CellCounts.h"
 #include "PhotonTransport/registration/PhotonBalance.h"
@@ -93,8 +94,8 @@ struct LightLayers
   /// @param slots See IlluminationSums.
   LightLayers(std::size_t slots, bool colour)
     : perSlot(colour ? ColourLayers : 0)
-    , sums(slots * perSlot, 0)
   {
+    ResizeOnHugePages(this->sums, slots * this->perSlot);
   }
 
   bool HasColour() const { return this->perSlot > 0; }
@@ -121,13 +122,13 @@ struct IlluminationSums
   IlluminationSums(std::size_t vertices, bool backSide, std::size_t sources = 1,
     LightLayers ofLight = {}, std::size_t lampsApart = 1)
     : lamps(lampsApart)
-    , front(vertices * lampsApart)
-    , back(backSide ? vertices * lampsApart : 0)
     , layers(std::move(ofLight))
     , cutByWeightBound(sources)
     , balances(sources)
     , arrivals(sources)
   {
+    ResizeOnHugePages(this->front, vertices * lampsApart);
+    ResizeOnHugePages(this->back, backSide ? vertices * lampsApart : 0);
   }
 
   std::size_t lamps = 1;         ///< That are kept apart.

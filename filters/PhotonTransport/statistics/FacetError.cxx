@@ -187,7 +187,7 @@ std::vector<double> WithoutNoise(const HatMeans& means, Squares squares)
 {
   std::vector<double> all = means.Of(squares.all);
   std::vector<double> noise = means.Of(squares.noise);
-  squares.noise = {};
+  squares.noise = std::vector<double>();
   for (int i = 1; i < Pooling; ++i)
   {
     all = means.Of(all);
@@ -219,11 +219,12 @@ std::vector<double> FacetError(const Scene& scene, std::vector<double> illuminan
   }
   const HatMeans means(scene);
   ForEach(illuminance.size(), [&](std::size_t v) { illuminance[v] /= largest; });
-  const std::vector<double> changes = Changes(means, illuminance,
-    compensated ? WithoutCompensation(scene, means, illuminance) : illuminance);
-  illuminance = {};
-  std::vector<double> errors = WithoutNoise(
-    means, SquaresOf(scene, means, changes, standardError, largest, compensated));
+  std::vector<double> changes = Changes(
+    means, illuminance, compensated ? WithoutCompensation(scene, means, illuminance) : illuminance);
+  illuminance = std::vector<double>();
+  Squares squares = SquaresOf(scene, means, changes, standardError, largest, compensated);
+  changes = std::vector<double>();
+  std::vector<double> errors = WithoutNoise(means, std::move(squares));
   ForEach(errors.size(), [&](std::size_t v) { errors[v] *= largest; });
   return errors;
 }

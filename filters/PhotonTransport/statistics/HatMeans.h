@@ -25,8 +25,8 @@ public:
 
   std::size_t Vertices() const { return this->RingAreas.size(); }
 
-  /// The hat mean at a vertex of valueOf(vertex) at all vertices. A vertex without a facet keeps its
-  /// value.
+  /// The hat mean at a vertex of valueOf(vertex) at all vertices. A vertex without a facet keeps
+  /// its value.
   template <typename Function>
   double At(std::size_t vertex, const Function& valueOf) const
   {

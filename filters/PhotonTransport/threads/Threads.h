@@ -76,7 +76,6 @@ public:
     : Values(threads, value)
   {
   }
-  void Fill(const T& value) { std::fill(this->Values.begin(), this->Values.end(), value); }
   T& Own() { return this->Values[ThreadIndex()]; }
   auto begin() { return this->Values.begin(); }
   auto end() { return this->Values.end(); }

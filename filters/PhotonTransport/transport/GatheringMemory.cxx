@@ -49,11 +49,17 @@ bool MayHaveCaustics(const Surface& surface, const TraceSettings& settings)
 std::uint64_t PerCell(const Kinds& kinds)
 {
   const std::uint64_t values = kinds.channels * kinds.parts;
-  const std::uint64_t counts = sizeof(std::uint32_t) * values *
-    (kinds.replicates + kinds.threads + kinds.lamps * (kinds.threads + 1));
+  const std::uint64_t counts = sizeof(std::uint32_t) * values * (kinds.replicates + kinds.lamps);
   const std::uint64_t exitance = sizeof(std::uint8_t) + sizeof(float) +
     sizeof(float) * values * (kinds.replicates + kinds.lamps);
   return 2 * (counts + exitance);
+}
+
+/// Both sides of a cell, while light is traced.
+std::uint64_t PerCellOfThreads(const Kinds& kinds)
+{
+  return 2 * sizeof(std::uint32_t) * kinds.channels * kinds.parts * kinds.threads *
+    (kinds.lamps + 1);
 }
 
 /// A map of one side. While the next one is made there are two, but no outputs yet, which take
@@ -74,12 +80,12 @@ std::uint64_t PiecesOf(const Lamp& lamp, const Surface& surface)
 
 } // namespace
 
-std::uint64_t GatheringMemory(
+GatheringNeed GatheringMemory(
   const Surface& surface, const Lighting& lighting, const TraceSettings& settings, bool colour)
 {
   if (settings.method != Method::FinalGathering)
   {
-    return 0;
+    return {};
   }
   const Kinds kinds{ settings.replicates, static_cast<std::uint64_t>(ThreadCount(settings.threads)),
     colour ? LightLayers::Channels : 1, settings.lampsApart ? lighting.luminaires.size() : 0,
@@ -102,7 +108,7 @@ std::uint64_t GatheringMemory(
     need +=
       kinds.parts * CellLinks::MemoryNeed(cells, kinds.replicates, kinds.channels, kinds.lamps);
   }
-  return need;
+  return { need, cells * PerCellOfThreads(kinds) };
 }
 
 } // namespace PhotonTransport

@@ -47,7 +47,6 @@ void IlluminationRun::WorkAlone()
 void IlluminationRun::ShareWith(Ranks& ranks)
 {
   this->Sharing = &ranks;
-  this->Part = ranks.AreSeveral() ? this->Tracer.EmptySums() : IlluminationSums();
   if (this->Second)
   {
     this->Second->ShareWith(ranks);

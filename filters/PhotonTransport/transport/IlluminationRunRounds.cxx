@@ -61,11 +61,17 @@ std::optional<StopReason> IlluminationRun::TraceRound(
   const StopRules& rules, const ProgressMonitor& monitor)
 {
   const std::uint64_t end = this->NextRound(rules);
+  if (this->Sharing->AreSeveral())
+  {
+    this->Part = this->Tracer.EmptySums();
+  }
   std::optional<StopReason> reason;
   for (std::uint32_t r = 0; !reason && r < this->Sums.replicates.size(); ++r)
   {
     reason = this->TraceReplicate(r, end, rules, monitor);
   }
+  this->Part = {}; // what is made of the map next needs as much
+  this->Tracer.FreeSums();
   return reason;
 }
 

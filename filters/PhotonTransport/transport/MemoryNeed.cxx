@@ -28,18 +28,20 @@ namespace
 
 // Bytes for each facet and vertex. Test: Testing/Stability/FilterMemoryTest measures.
 
-/// What Embree takes while it builds and what it keeps: up to 135 and 95 measured from 100 thousand
-/// to 4 million facets (3.13). While it builds no light is summed yet, so only the larger of both
-/// counts. Lists with which facets in one place are found take less, and are gone by then.
-constexpr std::uint64_t EmbreeBuildsPerFacet = 144;
-constexpr std::uint64_t EmbreeKeepsPerFacet = 100;
+/// What Embree takes while it builds and what it keeps: up to 127 and 95 measured, from 300
+/// thousand to 4 million facets (3.13) on 1 to 8 threads, with what the heap keeps of the scene's
+/// lists. While it builds no light is summed yet, so only the larger of both counts. Lists with
+/// which facets in one place are found take less, and are gone by then.
+constexpr std::uint64_t EmbreeBuildsPerFacet = 136;
+constexpr std::uint64_t EmbreeKeepsPerFacet = 96;
 
-/// What the heap keeps of lists that are freed, as pieces too small for what comes later: up to 40
-/// bytes for each facet measured. Lists of more than 32 MiB go back to the system as a whole.
+/// What the heap keeps besides of lists that are freed, as pieces too small for what comes later:
+/// up to 42 bytes for each of 100 thousand facets measured. Lists of more than 32 MiB go back to
+/// the system as a whole.
 std::uint64_t HeapKeeps(std::uint64_t facets)
 {
-  constexpr std::uint64_t PerFacet = 40;
-  constexpr std::uint64_t Most = std::uint64_t{ 1 } << 27;
+  constexpr std::uint64_t PerFacet = 42;
+  constexpr std::uint64_t Most = std::uint64_t{ 1 } << 25;
   return std::min(facets * PerFacet, Most);
 }
 
@@ -79,10 +81,10 @@ constexpr std::uint64_t OutputPerVertex = (1 + 8 + 5) * sizeof(double);
 constexpr std::uint64_t BackOutputPerVertex = 2 * sizeof(double);
 
 /// While the error of facet size is worked out, before there are outputs: areas, and lists of
-/// numbers in use at a time; rings of its own where facets have parts.
-constexpr std::uint64_t FacetErrorPerFacet = sizeof(double);
-constexpr std::uint64_t FacetErrorPerVertex = (1 + 7) * sizeof(double);
-constexpr std::uint64_t OwnRingsPerFacet = sizeof(glm::uvec3) + 3 * sizeof(std::uint32_t);
+/// numbers in use at a time; areas and rings of its own where facets have parts.
+constexpr std::uint64_t FacetErrorPerVertex = (1 + 4) * sizeof(double);
+constexpr std::uint64_t OwnRingsPerFacet =
+  sizeof(glm::uvec3) + sizeof(double) + 3 * sizeof(std::uint32_t);
 constexpr std::uint64_t OwnRingsPerVertex = 2 * sizeof(std::uint64_t);
 
 bool AnyFacetIsColoured(const Surface& surface)
@@ -114,22 +116,33 @@ std::uint64_t MostParts(const Surface& surface)
   return std::min<std::uint64_t>(surface.facets.size() / 8, PartsOfOne * large);
 }
 
-/// Sums of threads and replicates, and layers with what a filter makes of them.
+std::uint64_t Slots(const Lighting& lighting, const TraceSettings& settings)
+{
+  return settings.lampsApart ? lighting.luminaires.size() : 1;
+}
+
+/// Sums of replicates, and layers with what a filter makes of them.
 std::uint64_t SumsPerVertex(const Lighting& lighting, const TraceSettings& settings, bool colour)
 {
-  const std::uint64_t sides = settings.registerBackSide ? 2 : 1;
-  const auto threads = static_cast<std::uint64_t>(ThreadCount(settings.threads));
-  const std::uint64_t lamps = lighting.luminaires.size();
-  const std::uint64_t slots = settings.lampsApart ? lamps : 1;
   const std::uint64_t layers = colour ? LightLayers::ColourLayers : 0;
   const std::uint64_t colours =
     colour ? settings.replicates * LightLayers::Channels * sizeof(FixedPoint) : 0;
-  const std::uint64_t arrays = layers + (settings.lampsApart ? 2 * lamps : 0);
-  const std::uint64_t ofSlot = threads * sides * sizeof(VertexSums) + colours +
-    SideSums::BytesPerSlot(settings.replicates, Groups) +
-    (sides - 1) * SideSums::BytesPerSlot(settings.replicates, 1) +
-    layers * (threads + 1) * sizeof(FixedPoint);
-  return slots * ofSlot + arrays * 3 * sizeof(double);
+  const std::uint64_t arrays =
+    layers + (settings.lampsApart ? 2 * std::uint64_t{ lighting.luminaires.size() } : 0);
+  const std::uint64_t ofSlot = colours + SideSums::BytesPerSlot(settings.replicates, Groups) +
+    (settings.registerBackSide ? SideSums::BytesPerSlot(settings.replicates, 1) : 0) +
+    layers * sizeof(FixedPoint);
+  return Slots(lighting, settings) * ofSlot + arrays * 3 * sizeof(double);
+}
+
+/// Sums of threads, while light is traced.
+std::uint64_t ThreadSumsPerVertex(
+  const Lighting& lighting, const TraceSettings& settings, bool colour)
+{
+  const std::uint64_t sides = settings.registerBackSide ? 2 : 1;
+  const std::uint64_t layers = colour ? LightLayers::ColourLayers : 0;
+  return Slots(lighting, settings) * static_cast<std::uint64_t>(ThreadCount(settings.threads)) *
+    (sides * sizeof(VertexSums) + layers * sizeof(FixedPoint));
 }
 
 /// The maps, and what is made of them: first the error of facet size, then the outputs.
@@ -140,7 +153,7 @@ std::uint64_t NeedOfMaps(const Surface& surface, std::uint64_t onMap, const Trac
   std::uint64_t facetError = 0;
   if (settings.method == Method::PhotonTracing)
   {
-    facetError = facets * FacetErrorPerFacet + onMap * FacetErrorPerVertex;
+    facetError = onMap * FacetErrorPerVertex;
     facetError += surface.IsRefined() ? facets * OwnRingsPerFacet + onMap * OwnRingsPerVertex : 0;
   }
   const std::uint64_t outputs = onMap * (OutputPerVertex + (sides - 1) * BackOutputPerVertex);
@@ -195,9 +208,13 @@ std::uint64_t MemoryNeed(
     HeapKeeps(facets) + surface.given.origins.size() * RefinedPerFacet + light + parts * PerPart +
     copies;
   const bool colour = SimulatesColour(AnyFacetIsColoured(surface), lighting, settings);
+  const GatheringNeed gathering = GatheringMemory(surface, lighting, settings, colour);
+  // Threads give up their sums before maps are made.
+  const std::uint64_t tracing =
+    onMap * ThreadSumsPerVertex(lighting, settings, colour) + gathering.whileTracing;
   const std::uint64_t running = facets * EmbreeKeepsPerFacet +
-    onMap * SumsPerVertex(lighting, settings, colour) + NeedOfMaps(surface, onMap, settings) +
-    GatheringMemory(surface, lighting, settings, colour);
+    onMap * SumsPerVertex(lighting, settings, colour) + gathering.stays +
+    std::max(tracing, NeedOfMaps(surface, onMap, settings));
   return stays + std::max(facets * EmbreeBuildsPerFacet, running);
 }
 

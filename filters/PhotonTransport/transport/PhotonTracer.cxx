@@ -2,7 +2,6 @@
 #include "PhotonTransport/transport/PhotonTracer.h"
 
 #include "PhotonTransport/lights/Emitter.h"
-#include "PhotonTransport/memory/HugePages.h"
 #include "PhotonTransport/registration/FacetCells.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/threads/Threads.h"
@@ -84,6 +83,7 @@ struct PhotonTracer::Implementation
   Threads workers;
   /// Each thread has sums of its own: sharing one map by atomic additions costs 16 %.
   PerThread<IlluminationSums> workerSums;
+  bool hasSums = false; ///< Whether those of threads have room.
 };
 
 PhotonTracer::PhotonTracer(const Scene& scene, const Lighting& lighting,
@@ -96,14 +96,6 @@ PhotonTracer::PhotonTracer(const Scene& scene, const Lighting& lighting,
       scene, lighting, this->EffectsFound, settings, std::move(openings)))
 {
   this->RequireIlluminanceInRange(this->Flux());
-  this->Impl->workerSums.Fill(this->EmptySums());
-  for (const IlluminationSums& own : this->Impl->workerSums)
-  {
-    UseHugePages(own.front);
-    UseHugePages(own.back);
-    UseHugePages(own.layers.sums);
-    UseHugePages(own.cells.all);
-  }
 }
 
 PhotonTracer::~PhotonTracer() = default;
@@ -187,6 +179,27 @@ IlluminationSums PhotonTracer::EmptySums() const
   return sums;
 }
 
+void PhotonTracer::MakeSums()
+{
+  if (!this->Impl->hasSums)
+  {
+    for (IlluminationSums& own : this->Impl->workerSums)
+    {
+      own = this->EmptySums();
+    }
+    this->Impl->hasSums = true;
+  }
+}
+
+void PhotonTracer::FreeSums()
+{
+  for (IlluminationSums& own : this->Impl->workerSums)
+  {
+    own = {};
+  }
+  this->Impl->hasSums = false;
+}
+
 std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp) const
 {
   constexpr std::uint64_t Tries = 1u << 16;
@@ -238,6 +251,7 @@ bool PhotonTracer::Trace(std::uint32_t replicate, std::uint64_t first, std::uint
   std::atomic<std::uint64_t> done{ 0 };
   const std::thread::id caller = std::this_thread::get_id();
 
+  this->MakeSums();
   const auto work = [&](std::uint64_t begin, std::uint64_t end)
   {
     IlluminationSums& own = this->Impl->workerSums.Own();

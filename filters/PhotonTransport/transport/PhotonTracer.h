@@ -56,6 +56,9 @@ public:
   bool Trace(std::uint32_t replicate, std::uint64_t first, std::uint64_t count,
     const std::function<void(IlluminationSums& part)>& add, const Monitor& monitor = {});
 
+  /// Gives up the memory of the threads' sums until light is traced again.
+  void FreeSums();
+
   /// With slots for each lamp where the settings ask for lamps apart, and layers of colour where
   /// the scene calls for colour and LampsTellColours() is false.
   IlluminationSums EmptySums() const;
@@ -78,6 +81,8 @@ public:
   std::optional<glm::uvec3> CornersLitFromBehind(std::uint32_t lamp) const;
 
 private:
+  void MakeSums();
+
   struct Implementation;
   const Scene& LitScene;
   TraceSettings Settings;
