@@ -53,44 +53,50 @@ private:
     {
       ones[i] = OneFacet(leaf, i);
     }
-    this->Tree.ForEachFrom(index, this->Tree.BoxOf(index),
+    const FacetTree::Box box = this->Tree.BoxOf(index);
+    const LeafBounds bounds(leaf);
+    std::array<std::int32_t, FacetTree::Width> meets;
+    this->Tree.ForEachFrom(index, box,
       [&](std::size_t other)
       {
-        const FacetTree::Box box = this->Tree.BoxOf(other);
         const Leaf& otherLeaf = this->Tree.LeafAt(other);
-        const LeafBounds bounds(otherLeaf);
-        for (std::size_t i = 0; i < leaf.count; ++i)
+        const LeafBounds ofOthers(otherLeaf);
+        bounds.Meeting(this->Tree.BoxOf(other), meets);
+        for (std::size_t h = 0; h < FacetTree::Halves; ++h)
         {
-          if (ones[i].Meets(box))
+          const FourBits others = ofOthers.Meeting(box, h);
+          if (!Any(others))
           {
-            // Each pair once.
-            this->CompareWithLeaf(
-              ones[i], leaf.facets[i], otherLeaf, bounds, other == index ? i + 1 : 0);
+            continue;
+          }
+          for (std::size_t i = 0; i < leaf.count; ++i)
+          {
+            if (meets[i] != 0)
+            {
+              // Each pair once.
+              const FourBits wanted = other == index ? others & LanesAfter(i, h) : others;
+              this->CompareWith(ones[i], leaf.facets[i], otherLeaf, ofOthers, h, wanted);
+            }
           }
         }
       });
   }
 
-  /// @param first The first of the leaf's facets to compare with.
-  void CompareWithLeaf(const OneFacet& one, std::uint32_t facet, const Leaf& leaf,
-    const LeafBounds& bounds, std::size_t first)
+  /// Compares a facet with those wanted of half a leaf.
+  void CompareWith(const OneFacet& one, std::uint32_t facet, const Leaf& leaf,
+    const LeafBounds& bounds, std::size_t half, const FourBits& wanted)
   {
-    for (std::size_t h = first / 4; h < FacetTree::Halves; ++h)
+    const OneFacet::Neighbours found = one.NeighboursIn(leaf, bounds, half, wanted);
+    for (std::size_t i = 0; i < 4 && Any(found.notBeside); ++i)
     {
-      const FourBits lanes = { 0, 1, 2, 3 };
-      const auto before = static_cast<std::int32_t>(first > 4 * h ? first - 4 * h : 0);
-      const OneFacet::Neighbours found = one.NeighboursIn(leaf, bounds, h, lanes >= before);
-      for (std::size_t i = 0; i < 4 && Any(found.notBeside); ++i)
+      const std::uint32_t other = leaf.facets[4 * half + i];
+      if (found.notBeside[i] != 0)
       {
-        const std::uint32_t other = leaf.facets[4 * h + i];
-        if (found.notBeside[i] != 0)
-        {
-          this->Mark(facet, other, MayBeBefore);
-        }
-        if (found.candidates[i] != 0)
-        {
-          this->Compare(facet, other);
-        }
+        this->Mark(facet, other, MayBeBefore);
+      }
+      if (found.candidates[i] != 0)
+      {
+        this->Compare(facet, other);
       }
     }
   }

@@ -52,6 +52,14 @@ inline bool Any(const FourBits& bits)
   return (halves[0] | halves[1]) != 0;
 }
 
+/// The facets of half a leaf that come after one of the same leaf.
+inline FourBits LanesAfter(std::size_t facet, std::size_t half)
+{
+  const auto first = static_cast<std::int32_t>(4 * half);
+  const FourBits lanes = { first, first + 1, first + 2, first + 3 };
+  return lanes > static_cast<std::int32_t>(facet);
+}
+
 /// The boxes of a leaf's facets, with margins.
 struct LeafBounds
 {
@@ -68,6 +76,29 @@ struct LeafBounds
       }
     }
   }
+
+  /// The facets of half a leaf whose boxes meet another one.
+  FourBits Meeting(const FacetTree::Box& box, std::size_t half) const
+  {
+    FourBits meeting = { -1, -1, -1, -1 };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      meeting &= this->low[axis][half] <= box.high[axis];
+      meeting &= this->high[axis][half] >= box.low[axis];
+    }
+    return meeting;
+  }
+
+  /// For each facet whether its box meets another one.
+  void Meeting(const FacetTree::Box& box, std::array<std::int32_t, FacetTree::Width>& meets) const
+  {
+    for (std::size_t h = 0; h < FacetTree::Halves; ++h)
+    {
+      const FourBits half = this->Meeting(box, h);
+      std::memcpy(&meets[4 * h], &half, sizeof half);
+    }
+  }
+
   Four low[3][FacetTree::Halves], high[3][FacetTree::Halves];
 };
 
@@ -87,17 +118,11 @@ public:
       corners[c] = { of(leaf.corners[c][0]), of(leaf.corners[c][1]), of(leaf.corners[c][2]) };
     }
     const auto& [a, b, c] = corners;
-    this->Low = glm::min(a, glm::min(b, c)) - leaf.margin;
-    this->High = glm::max(a, glm::max(b, c)) + leaf.margin;
+    this->Bounds = { glm::min(a, glm::min(b, c)) - leaf.margin,
+      glm::max(a, glm::max(b, c)) + leaf.margin };
     const glm::vec3 most = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
     this->Width = HalfSliver * std::max({ most.x, most.y, most.z });
     this->LookAlongAxis(corners);
-  }
-
-  bool Meets(const FacetTree::Box& box) const
-  {
-    return glm::all(glm::lessThanEqual(this->Low, box.high)) &&
-      glm::all(glm::lessThanEqual(box.low, this->High));
   }
 
   /// What is said of half a leaf's facets.
@@ -114,7 +139,7 @@ public:
   Neighbours NeighboursIn(const FacetTree::Leaf& leaf, const LeafBounds& bounds, std::size_t half,
     const FourBits& wanted) const
   {
-    const FourBits near = wanted & this->Near(bounds, half);
+    const FourBits near = wanted & bounds.Meeting(this->Bounds, half);
     if (!Any(near))
     {
       return { near, near };
@@ -168,17 +193,6 @@ private:
     this->IsSliver = longest < Tiny || twiceArea <= 4.0f * this->Width * longest;
   }
 
-  FourBits Near(const LeafBounds& bounds, std::size_t h) const
-  {
-    FourBits near = { -1, -1, -1, -1 };
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      near &= bounds.low[axis][h] <= this->High[axis];
-      near &= bounds.high[axis][h] >= this->Low[axis];
-    }
-    return near;
-  }
-
   /// Those that an edge of this one has on its outer side, up to half a sliver.
   FourBits DividedByThis(const FacetTree::Leaf& leaf, std::size_t h) const
   {
@@ -217,7 +231,8 @@ private:
     return divided;
   }
 
-  glm::vec3 Normal, Low, High;
+  glm::vec3 Normal;
+  FacetTree::Box Bounds;                 ///< With margins.
   Four U[3], V[3], AlongU[3], AlongV[3]; ///< Each number four times.
   float Width;                           ///< Half of the sliver that neighbours may have in common.
   Four Inmost[3]; ///< What is no farther inside an edge, times its length, is outside.
