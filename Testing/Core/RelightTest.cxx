@@ -268,6 +268,62 @@ TEST(Relight, IsRefusedWhereTracingIsCalledFor)
   EXPECT_FALSE(gathered.Relight(Relit(lighting)));
 }
 
+// All light is multiplied, by a power of two without rounding.
+TEST(Relight, OneFactorOfAllLampsNeedsNoLampsApart)
+{
+  const Scene scene = Room();
+  std::mt19937 random(6);
+  Lighting lighting = RandomLamps(random);
+  lighting.luminaires[0].colour = { 1.0f, 0.5f, 0.2f };
+  Lighting brighter = lighting;
+  for (Luminaire& luminaire : brighter.luminaires)
+  {
+    FluxOf(luminaire) *= 4.0;
+    luminaire.dimming = 0.5;
+  }
+  for (const Method method : { Method::PhotonTracing, Method::FinalGathering })
+  {
+    SCOPED_TRACE(static_cast<int>(method));
+    TraceSettings settings = Apart();
+    settings.lampsApart = false;
+    settings.method = method;
+    settings.gatherRays = 32;
+    IlluminationRun run(scene, lighting, settings), anew(scene, brighter, settings);
+    run.Advance({ 20'000 });
+    const IlluminationMap before = run.Front();
+    ASSERT_TRUE(run.Relight(brighter));
+    EXPECT_TRUE(run.IsRelit());
+    EXPECT_FALSE(run.IsOfOtherShares());
+    for (const std::uint64_t photons : { 20'000, 60'000 }) // the latter are traced after relighting
+    {
+      run.Advance({ photons });
+      anew.Advance({ photons });
+      ExpectSame(run.Front(), anew.Front());
+      ExpectSame(run.Back(), anew.Back());
+      EXPECT_EQ(run.FrontByColour(), anew.FrontByColour());
+      EXPECT_EQ(run.ColourErrors(), anew.ColourErrors());
+      EXPECT_EQ(run.FrontByGroups().direct, anew.FrontByGroups().direct);
+      EXPECT_EQ(run.Rounds().back().relativeError, anew.Rounds().back().relativeError);
+      EXPECT_EQ(run.Flux(), anew.Flux());
+      EXPECT_EQ(run.BalanceOfFlux().absorbed, anew.BalanceOfFlux().absorbed);
+    }
+    Lighting other = brighter;
+    FluxOf(other.luminaires[1]) *= 1.001;
+    EXPECT_FALSE(run.Relight(other)) << "one lamp alone";
+    for (Luminaire& luminaire : other.luminaires)
+    {
+      luminaire.dimming = 0.0;
+    }
+    EXPECT_FALSE(run.Relight(other)) << "no light at all";
+    EXPECT_TRUE(run.Relight(lighting));
+    EXPECT_FALSE(run.IsRelit());
+    for (std::size_t v = 0; v < before.direct.size(); ++v) // of more photons by now
+    {
+      EXPECT_NEAR(run.Front().Total(v), before.Total(v), 8.0 * before.standardError[v]);
+    }
+  }
+}
+
 // The exitance of a mesh is in single precision, for each facet.
 TEST(Relight, MayScaleTheExitanceOfMeshes)
 {

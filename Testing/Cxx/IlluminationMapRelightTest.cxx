@@ -93,6 +93,36 @@ TEST(IlluminationMapRelight, DimmingTracesNothing)
   EXPECT_FALSE(room.HasNote());
 }
 
+TEST(IlluminationMapRelight, TheFluxOfTheOnlyLampTracesNothing)
+{
+  for (const int method :
+    { vtkIlluminationMap::PHOTON_TRACING, vtkIlluminationMap::FINAL_GATHERING })
+  {
+    SCOPED_TRACE(method);
+    LitRoom room;
+    room.filter->RemoveAllInputConnections(1);
+    room.filter->SetLampContributions(false);
+    room.filter->SetMethod(method);
+    room.filter->SetLampType(vtkIlluminationMap::POINT);
+    room.filter->SetLampPosition(0.1, 0.05, 0.15);
+    room.filter->SetLuminousFlux(1000.0);
+    const std::vector<double> before = room.Values("Illuminance");
+    const std::vector<double> errors = room.Values("StandardError");
+    const double seconds = room.SecondsTraced();
+    room.filter->SetLuminousFlux(1700.0);
+    const std::vector<double> after = room.Values("Illuminance");
+    const std::vector<double> errorsAfter = room.Values("StandardError");
+    EXPECT_EQ(room.SecondsTraced(), seconds);
+    EXPECT_EQ(FieldValue(room.Output(), "EmittedFlux"), 1700.0);
+    EXPECT_FALSE(room.HasNote()) << "photons are where they would be";
+    for (std::size_t i = 0; i < before.size(); ++i)
+    {
+      EXPECT_NEAR(after[i], 1.7 * before[i], 1e-14 * after[i]);
+      EXPECT_NEAR(errorsAfter[i], 1.7 * errors[i], 1e-14 * errorsAfter[i]);
+    }
+  }
+}
+
 TEST(IlluminationMapRelight, LampsThatAreOffAreTraced)
 {
   LitRoom room;

@@ -56,7 +56,7 @@ void vtkIlluminationMap::WriteMap(const SceneBlocks& blocks,
       OpeningLines(this->Kept->Openings, this->Kept->Scene, PhotonTransport::HasSky(lighting));
     notes.insert(notes.end(), onOpenings.begin(), onOpenings.end());
   }
-  if (run.IsRelit())
+  if (run.IsOfOtherShares())
   {
     notes.emplace_back(Relit);
   }

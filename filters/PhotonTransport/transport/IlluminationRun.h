@@ -64,12 +64,14 @@ public:
   /// their fluxes, dimming and colours alone (see RelightingOf), from what was traced: no photon
   /// is. All that the run tells is then of that lighting: maps, errors, fluxes, and the last row of
   /// Rounds(), which becomes the only one; numbers of photons stay. Where lamps are not kept apart,
-  /// by TraceSettings::lampsApart in Method::PhotonTracing, nothing may differ; nor may colours
-  /// where facets have colours of their own. @return Whether that was possible; if not, nothing
-  /// changes.
+  /// by TraceSettings::lampsApart in Method::PhotonTracing, all their light may differ by one
+  /// factor, and nothing else; nor may colours differ where facets have colours of their own.
+  /// @return Whether that was possible; if not, nothing changes.
   bool Relight(const Lighting& wanted);
   /// Whether Relight has made the map that of another lighting.
-  bool IsRelit() const { return !this->Factors.empty() || this->HasOtherColours; }
+  bool IsRelit() const { return this->LightFactor != 1.0 || this->IsOfOtherShares(); }
+  /// Whether lamps have other shares of the light than of the photons, or other colours.
+  bool IsOfOtherShares() const { return !this->Factors.empty() || this->HasOtherColours; }
   /// Whether photons have other colours than the light that the map is of.
   bool HasOtherColoursThanPhotons() const { return this->HasOtherColours; }
 
@@ -183,7 +185,8 @@ private:
   }
   MapScale Scale() const
   {
-    return { this->Tracer.Flux(), this->LitScene.VertexAreas(), this->Tracer.StartWeights() };
+    return { this->LightFactor * this->Tracer.Flux(), this->LitScene.VertexAreas(),
+      this->Tracer.StartWeights() };
   }
   IlluminationMap MapOf(ReplicateSums::Side side) const
   {
@@ -221,10 +224,11 @@ private:
   TraceSettings Settings;
   std::unique_ptr<const FacetCells> Cells; ///< By which the second pass knows the first; or null.
   PhotonTracer Tracer;
-  Lighting Traced;    ///< As lamps were traced.
-  Lighting Now;       ///< That of the map.
-  Effects EffectsNow; ///< The same.
-  LampFactors Factors;
+  Lighting Traced;          ///< As lamps were traced.
+  Lighting Now;             ///< That of the map.
+  Effects EffectsNow;       ///< The same.
+  double LightFactor = 1.0; ///< Of the light of all lamps over that which was traced.
+  LampFactors Factors;      ///< In addition, where lamps differ in it.
   bool HasOtherColours = false;
   std::unique_ptr<SecondPass> Second; ///< Null in Method::PhotonTracing.
   ReplicateSums Sums;

@@ -19,7 +19,7 @@ IlluminationMap IlluminationRun::Front() const
   IlluminationMap map = this->MapOf(&ReplicateSums::front);
   if (this->Second)
   {
-    return this->Second->Together(std::move(map), this->Second->Front());
+    return this->Second->Together({ std::move(map), this->Second->Front(), this->LightFactor });
   }
   return map; // apart, since a choice between the two would copy it
 }
@@ -29,7 +29,7 @@ IlluminationMap IlluminationRun::Back() const
   IlluminationMap map = this->MapOf(&ReplicateSums::back);
   if (this->Second)
   {
-    return this->Second->Together(std::move(map), this->Second->Back());
+    return this->Second->Together({ std::move(map), this->Second->Back(), this->LightFactor });
   }
   return map;
 }
@@ -65,7 +65,7 @@ std::vector<std::array<double, 3>> IlluminationRun::FrontByColour() const
   std::vector<std::array<double, 3>> front = this->Sums.FrontByColour(this->Scale(), this->Factors);
   if (this->Second)
   {
-    return this->Second->Together(std::move(front), this->Second->Front());
+    return this->Second->Together({ std::move(front), this->Second->Front(), this->LightFactor });
   }
   return front;
 }
@@ -94,7 +94,8 @@ std::vector<double> IlluminationRun::FrontOfLamp(std::size_t lamp) const
   std::vector<double> front = this->LampAlone(lamp);
   if (this->Second)
   {
-    return this->Second->Together(std::move(front), this->Second->Front(), lamp);
+    return this->Second->Together(
+      { std::move(front), this->Second->Front(), this->LightFactor }, lamp);
   }
   return front;
 }
@@ -128,7 +129,7 @@ double IlluminationRun::FluxSwitchedOff(Scattering scattering) const
 
 double IlluminationRun::FluxOfPhoton(std::size_t source, std::uint64_t photons) const
 {
-  return photons > 0 ? this->Tracer.Flux() / static_cast<double>(photons) *
+  return photons > 0 ? this->Scale().flux / static_cast<double>(photons) *
       double{ this->Tracer.StartWeights()[source] } * this->FactorOf(source)
                      : 0.0;
 }

@@ -26,13 +26,25 @@ bool HaveValidColours(const Lighting& lighting)
     });
 }
 
+/// The factor of all lamps, if it is the same up to rounding and leaves light.
+std::optional<double> FactorOfAll(const LampFactors& factors)
+{
+  constexpr double Rounding = 0x1p-50;
+  const double first = factors.empty() ? 1.0 : factors.front();
+  const bool same = std::all_of(factors.begin(), factors.end(),
+    [&](double factor) { return std::fabs(factor - first) <= Rounding * first; });
+  return same && first > 0.0 ? std::optional(first) : std::nullopt;
+}
+
 } // namespace
 
 bool IlluminationRun::Relight(const Lighting& wanted)
 {
   const std::optional<Relighting> relighting = RelightingOf(this->Traced, wanted);
+  const std::optional<double> ofAll =
+    relighting ? FactorOfAll(relighting->factors) : std::optional<double>();
   const bool isPossible = relighting && HaveValidColours(wanted) &&
-    (relighting->IsNone() || CanBeRelit(this->Settings)) &&
+    (ofAll || CanBeRelit(this->Settings)) &&
     (relighting->sameColours || this->Tracer.LampsTellColours());
   if (!isPossible)
   {
@@ -43,17 +55,14 @@ bool IlluminationRun::Relight(const Lighting& wanted)
   {
     return true;
   }
-  LampFactors factors = std::all_of(relighting->factors.begin(), relighting->factors.end(),
-                          [](double f) { return f == 1.0; })
-    ? LampFactors()
-    : relighting->factors;
   double flux = 0.0;
   for (std::size_t lamp = 0; lamp < relighting->factors.size(); ++lamp)
   {
     flux += relighting->factors[lamp] * this->Tracer.Source().Flux(lamp);
   }
   this->Tracer.RequireIlluminanceInRange(flux);
-  this->Factors = std::move(factors);
+  this->LightFactor = ofAll.value_or(1.0);
+  this->Factors = ofAll ? LampFactors() : relighting->factors;
   this->HasOtherColours = !relighting->sameColours;
   this->Now = wanted;
   this->EffectsNow = AnalyseEffects(this->LitScene, wanted, this->Settings);
@@ -69,7 +78,7 @@ double IlluminationRun::Flux() const
 {
   if (this->Factors.empty())
   {
-    return this->Tracer.Flux();
+    return this->Scale().flux;
   }
   double flux = 0.0;
   for (std::size_t lamp = 0; lamp < this->Factors.size(); ++lamp)

@@ -137,18 +137,20 @@ std::optional<RefinedMap> IlluminationRun::Refine(const Surface& surface,
   const PhotonValues photons(
     refined.mesh, surface.IsRefined() ? surface.given.facets : surface.facets);
   const GatheredMap front = adaptive.Front();
-  refined.front = this->Second->Together(photons.At(this->MapOf(&ReplicateSums::front)), front);
+  const double factor = this->LightFactor;
+  refined.front =
+    this->Second->Together({ photons.At(this->MapOf(&ReplicateSums::front)), front, factor });
   if (this->Settings.registerBackSide)
   {
-    refined.back =
-      this->Second->Together(photons.At(this->MapOf(&ReplicateSums::back)), adaptive.Back());
+    refined.back = this->Second->Together(
+      { photons.At(this->MapOf(&ReplicateSums::back)), adaptive.Back(), factor });
   }
   refined.frontByColour =
-    this->Second->Together(photons.At(this->Sums.FrontByColour(this->Scale())), front);
+    this->Second->Together({ photons.At(this->Sums.FrontByColour(this->Scale())), front, factor });
   for (std::size_t lamp = 0; lamp < this->Sums.layers.lampCells.lamps; ++lamp)
   {
     refined.frontOfLamps.push_back(
-      this->Second->Together(photons.At(this->LampAlone(lamp)), front, lamp));
+      this->Second->Together({ photons.At(this->LampAlone(lamp)), front, factor }, lamp));
   }
   return refined;
 }

@@ -74,48 +74,46 @@ void SecondPass::Run(
   this->Gathering.Run(CountsOf(counted), this->Rays(counted), work);
 }
 
-IlluminationMap SecondPass::Together(IlluminationMap map, const GatheredMap& gathered) const
+IlluminationMap SecondPass::Together(Parts<IlluminationMap> parts) const
 {
+  IlluminationMap& map = parts.caustics;
   map.caustic = map.indirect;
-  if (gathered.direct.empty())
+  for (std::size_t v = 0; v < map.direct.size() && !parts.gathered.direct.empty(); ++v)
   {
-    return map;
+    map.direct[v] += parts.factor * parts.gathered.direct[v];
+    map.indirect[v] += parts.factor * parts.gathered.gathered[v];
+    map.standardError[v] = std::hypot(this->Tracer.CountsCaustics() ? map.standardError[v] : 0.0,
+      parts.factor * parts.gathered.standardError[v]);
   }
-  for (std::size_t v = 0; v < map.direct.size(); ++v)
-  {
-    map.direct[v] += gathered.direct[v];
-    map.indirect[v] += gathered.gathered[v];
-    map.standardError[v] = std::hypot(
-      this->Tracer.CountsCaustics() ? map.standardError[v] : 0.0, gathered.standardError[v]);
-  }
-  return map;
+  return std::move(map);
 }
 
 std::vector<std::array<double, 3>> SecondPass::Together(
-  std::vector<std::array<double, 3>> map, const GatheredMap& gathered)
+  Parts<std::vector<std::array<double, 3>>> parts)
 {
-  for (std::size_t v = 0; v < gathered.channels.size(); ++v)
+  for (std::size_t v = 0; v < parts.gathered.channels.size(); ++v)
   {
     for (std::size_t c = 0; c < 3; ++c)
     {
-      map[v][c] += gathered.channels[v][c] / double{ LuminousWeights[static_cast<int>(c)] };
+      parts.caustics[v][c] += parts.factor * parts.gathered.channels[v][c] /
+        double{ LuminousWeights[static_cast<int>(c)] };
     }
   }
-  return map;
+  return std::move(parts.caustics);
 }
 
-std::vector<double> SecondPass::Together(
-  std::vector<double> map, const GatheredMap& gathered, std::size_t lamp)
+std::vector<double> SecondPass::Together(Parts<std::vector<double>> parts, std::size_t lamp)
 {
-  if (!gathered.ofLamps.empty())
+  const std::vector<double>& ofLamps = parts.gathered.ofLamps;
+  if (!ofLamps.empty())
   {
-    const std::size_t lamps = gathered.ofLamps.size() / gathered.direct.size();
-    for (std::size_t v = 0; v < map.size(); ++v)
+    const std::size_t lamps = ofLamps.size() / parts.gathered.direct.size();
+    for (std::size_t v = 0; v < parts.caustics.size(); ++v)
     {
-      map[v] += gathered.ofLamps[v * lamps + lamp];
+      parts.caustics[v] += parts.factor * ofLamps[v * lamps + lamp];
     }
   }
-  return map;
+  return std::move(parts.caustics);
 }
 
 } // namespace PhotonTransport

@@ -61,14 +61,22 @@ public:
   const GatheredMap& Front() const { return this->Gathering.Front(); }
   const GatheredMap& Back() const { return this->Gathering.Back(); }
 
-  /// All light of places, from the caustics there and what was gathered, which may be nothing.
-  IlluminationMap Together(IlluminationMap caustics, const GatheredMap& gathered) const;
+  /// What photons and the second pass have brought to places.
+  template <typename Caustics>
+  struct Parts
+  {
+    Caustics caustics;
+    const GatheredMap& gathered; ///< May be nothing.
+    double factor;               ///< By which what was gathered counts.
+  };
+
+  /// All light of places.
+  IlluminationMap Together(Parts<IlluminationMap> parts) const;
   /// [place] By colour; see IlluminationRun::FrontByColour.
   static std::vector<std::array<double, 3>> Together(
-    std::vector<std::array<double, 3>> caustics, const GatheredMap& gathered);
+    Parts<std::vector<std::array<double, 3>>> parts);
   /// [place] Of one lamp.
-  static std::vector<double> Together(
-    std::vector<double> caustics, const GatheredMap& gathered, std::size_t lamp);
+  static std::vector<double> Together(Parts<std::vector<double>> parts, std::size_t lamp);
 
 private:
   const FacetCells& CellsOfScene;
