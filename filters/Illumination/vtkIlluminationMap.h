@@ -558,7 +558,8 @@ public:
    * other fluxes, dimming or colours of the lamps then follows from what was traced, its errors
    * too, without a photon (IlluminationRun::Relight). Each lamp gets some photons, whatever its
    * flux (SharesForLampsApart). This takes 152 bytes for each point and lamp, 32 more for each
-   * thread, and 240 and 48 more where surfaces have colours. Default: off.
+   * thread, and 240 and 48 more where surfaces have colours. One factor of all light needs neither
+   * this nor that method. Default: off.
    */
   vtkSetMacro(LampContributions, bool);
   vtkGetMacro(LampContributions, bool);
