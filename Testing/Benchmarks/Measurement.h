@@ -164,7 +164,7 @@ inline std::vector<Segment> RecordSegments(const PhotonTransport::Scene& scene,
     ? RecordPhoton<PhotonTransport::Walk::Diffuse>
     : RecordPhoton<PhotonTransport::Walk::General>;
   std::vector<Segment> segments;
-  PhotonTransport::PhotonSample sample(key, 0);
+  PhotonTransport::PhotonSequence sample(key, 0);
   for (std::uint64_t photon = 0; photon < photons; ++photon, sample.Advance())
   {
     record(walk, sample, segments);

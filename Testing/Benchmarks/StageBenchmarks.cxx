@@ -56,7 +56,7 @@ void CountItems(benchmark::State& state, std::size_t itemsPerIteration)
 void Emission(benchmark::State& state, const Lamp& lamp, Sampling sampling)
 {
   const Emitter emitter(lamp, StageOf(state).scene);
-  PhotonSample sample({ 1, 0, sampling }, 0);
+  PhotonSequence sample({ 1, 0, sampling }, 0);
   for (auto _ : state)
   {
     benchmark::DoNotOptimize(emitter.Emit(sample));

@@ -23,7 +23,7 @@ constexpr double Pi = 3.14159265358979323846;
 
 void ForPhotons(const Emitter& emitter, int count, const std::function<void(const Ray&)>& f)
 {
-  PhotonSample sample({ 1, 0, Sampling::Sobol }, 0);
+  PhotonSequence sample({ 1, 0, Sampling::Sobol }, 0);
   for (int i = 0; i < count; ++i, sample.Advance())
   {
     f(emitter.Emit(sample).ray);

@@ -24,7 +24,7 @@ constexpr float FloatRounding = 8.0f * 0x1p-23f;
 
 TEST(Frame, IsOrthonormalAndRightHandedForEveryNormal)
 {
-  PhotonSample sample({ 1, 0, Sampling::Random }, 0);
+  PhotonSequence sample({ 1, 0, Sampling::Random }, 0);
   for (int i = 0; i < 10000; ++i, sample.Advance())
   {
     glm::vec3 normal = UniformSphere(sample.Emission(0), sample.Emission(1));
@@ -140,7 +140,7 @@ void ExpectSmallest(const std::vector<glm::dvec2>& points)
 TEST(BoundingCircle, IsTheSmallest)
 {
   std::vector<glm::dvec2> cloud, ring, line, grid;
-  PhotonSample sample({ 4, 0, Sampling::Random }, 0);
+  PhotonSequence sample({ 4, 0, Sampling::Random }, 0);
   for (int i = 0; i < 2000; ++i, sample.Advance())
   {
     cloud.emplace_back(sample.Emission(0), 2.0 * sample.Emission(1));

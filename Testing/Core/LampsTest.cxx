@@ -97,7 +97,7 @@ TEST(LineLamp, IntensityIsTheSineOfTheAngleToItsAxis)
   constexpr int Photon = 200'000;
   constexpr int Angles = 10;
   int within[Angles] = {}, along[Angles] = {};
-  PhotonSample sample({ 1, 0, Sampling::Random }, 0);
+  PhotonSequence sample({ 1, 0, Sampling::Random }, 0);
   for (int i = 0; i < Photon; ++i, sample.Advance())
   {
     const Ray ray = emitter.Emit(sample).ray;
@@ -177,7 +177,7 @@ TEST(EmittingMesh, HasTheFluxOfTheSameFacets)
   EXPECT_NEAR(mesh.Flux(), facets.Flux(), 8.0 * 0x1p-24 * facets.Flux());
   // The same numbers choose the same place on the same facet, but for what keeps facets' rays from
   // the edges; and the same direction, but for rounding.
-  PhotonSample sample({ 1, 0, Sampling::Sobol }, 0);
+  PhotonSequence sample({ 1, 0, Sampling::Sobol }, 0);
   int differ = 0;
   for (int i = 0; i < 10'000; ++i, sample.Advance())
   {

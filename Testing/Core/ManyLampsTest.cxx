@@ -44,7 +44,7 @@ TEST(ManyLamps, ShareThePhotonsByFlux)
     EXPECT_EQ(emitter.Flux(), 1000.0);
     constexpr int Many = 200'000;
     int counts[7] = {};
-    PhotonSample sample({ 3, 0, sampling }, 0);
+    PhotonSequence sample({ 3, 0, sampling }, 0);
     for (int i = 0; i < Many; ++i, sample.Advance())
     {
       ++counts[emitter.Emit(sample).source];

@@ -54,7 +54,7 @@ Scene Ball()
 
 void ForDirections(const Emitter& emitter, const std::function<void(const glm::dvec3&)>& f)
 {
-  PhotonSample sample({ 1, 0, Sampling::Random }, 0);
+  PhotonSequence sample({ 1, 0, Sampling::Random }, 0);
   for (int i = 0; i < Photons; ++i, sample.Advance())
   {
     f(glm::dvec3(emitter.Emit(sample).ray.direction));
@@ -180,7 +180,7 @@ TEST(PhotometricLamp, ABeamGoesWhereTheSolidSays)
           const glm::dvec3 expected = Expected(type, polar, azimuth, aim, rotation);
           double least = 1.0;
           glm::dvec3 mean(0.0);
-          PhotonSample sample({ 1, 0, Sampling::Sobol }, 0);
+          PhotonSequence sample({ 1, 0, Sampling::Sobol }, 0);
           for (int i = 0; i < 256; ++i, sample.Advance())
           {
             const glm::dvec3 direction(emitter.Emit(sample).ray.direction);

@@ -38,7 +38,7 @@ TEST(FixedPoint, KeepsWeightsToTheLastPromisedBit)
 TEST(HitWeights, AreBarycentricOnAFlatSurface)
 {
   const Scene scene(Shapes::Rectangle(glm::dvec3(0.0), { 1, 0, 0 }, { 0, 1, 0 }, 3));
-  PhotonSample sample({ 1, 0, Sampling::Random }, 0);
+  PhotonSequence sample({ 1, 0, Sampling::Random }, 0);
   for (int i = 0; i < 1000; ++i, sample.Advance())
   {
     const glm::vec3 towards = CosineHemisphere(sample.Emission(0), sample.Emission(1));
@@ -80,7 +80,7 @@ TEST(HitWeights, FacetRatioIsTheQuotientOfCosines)
 TEST(ShownArea, FastPathEqualsTheRing)
 {
   const Scene scene(Shapes::UvSphere(16, 8, Facing::Outward));
-  PhotonSample sample({ 2, 0, Sampling::Random }, 0);
+  PhotonSequence sample({ 2, 0, Sampling::Random }, 0);
   int fast = 0;
   for (int i = 0; i < 2000; ++i, sample.Advance())
   {
@@ -104,7 +104,7 @@ TEST(HitWeights, VertexNormalisedIsBoundedWhereNormalsFollowTheRing)
   Surface surface = Shapes::Icosphere(2, Facing::Outward);
   surface.normals.assign(surface.points.size(), glm::dvec3(0.0)); // the scene takes the ring's
   const Scene scene(surface);
-  PhotonSample sample({ 3, 0, Sampling::Random }, 0);
+  PhotonSequence sample({ 3, 0, Sampling::Random }, 0);
   for (int i = 0; i < 2000; ++i, sample.Advance())
   {
     const glm::vec3 towards = UniformSphere(sample.Emission(0), sample.Emission(1));

@@ -97,7 +97,7 @@ TEST(Sobol, LeadingPairFillsElementaryBoxes)
 {
   constexpr int Bits = 8;
   const SequenceKey key{ 7, 3, Sampling::Sobol };
-  PhotonSample sample(key, 0);
+  PhotonSequence sample(key, 0);
   std::vector<std::array<std::uint32_t, 2>> points;
   for (int i = 0; i < (1 << Bits); ++i, sample.Advance())
   {
@@ -117,10 +117,10 @@ TEST(PhotonSample, IsAFunctionOfTheIndexAlone)
   for (const Sampling sampling : { Sampling::Sobol, Sampling::Random })
   {
     const SequenceKey key{ 5, 2, sampling };
-    PhotonSample walking(key, 0xfffffff0u); // crosses 2^32, where the next sequence begins
+    PhotonSequence walking(key, 0xfffffff0u); // crosses 2^32, where the next sequence begins
     for (std::uint64_t index = 0xfffffff0u; index < 0x100000010u; ++index, walking.Advance())
     {
-      const PhotonSample jumped(key, index);
+      const PhotonSequence jumped(key, index);
       for (unsigned d = 0; d < 5; ++d)
       {
         EXPECT_EQ(walking.EmissionBits(d), jumped.EmissionBits(d));
@@ -131,14 +131,40 @@ TEST(PhotonSample, IsAFunctionOfTheIndexAlone)
   }
 }
 
+TEST(PhotonSample, ManyTogetherAreThoseOneByOne)
+{
+  for (const Sampling sampling : { Sampling::Sobol, Sampling::Random })
+  {
+    // The second one crosses 2^32, where the next sequence begins.
+    for (const std::uint64_t first : { std::uint64_t{ 7 }, std::uint64_t{ 0xfffffff0u } })
+    {
+      PhotonSequence together({ 5, 2, sampling }, first), single({ 5, 2, sampling }, first);
+      for (const std::size_t count : { 1u, 13u, 64u, 0u, 2u })
+      {
+        std::vector<PhotonSample> taken(count);
+        together.Take(taken.data(), count);
+        for (std::size_t i = 0; i < count; ++i, single.Advance())
+        {
+          for (unsigned d = 0; d < SobolDimensions; ++d)
+          {
+            ASSERT_EQ(taken[i].EmissionBits(d), single.EmissionBits(d));
+          }
+          ASSERT_EQ(taken[i].Scatterings().At(3).survival, single.Scatterings().At(3).survival);
+        }
+      }
+      EXPECT_EQ(together.EmissionBits(6), single.EmissionBits(6));
+    }
+  }
+}
+
 TEST(PhotonSample, SeedsReplicatesAndOrdersDiffer)
 {
-  const PhotonSample base({ 1, 0, Sampling::Sobol }, 99);
-  EXPECT_NE(base.EmissionBits(0), PhotonSample({ 2, 0, Sampling::Sobol }, 99).EmissionBits(0));
-  EXPECT_NE(base.EmissionBits(0), PhotonSample({ 1, 1, Sampling::Sobol }, 99).EmissionBits(0));
+  const PhotonSequence base({ 1, 0, Sampling::Sobol }, 99);
+  EXPECT_NE(base.EmissionBits(0), PhotonSequence({ 2, 0, Sampling::Sobol }, 99).EmissionBits(0));
+  EXPECT_NE(base.EmissionBits(0), PhotonSequence({ 1, 1, Sampling::Sobol }, 99).EmissionBits(0));
   EXPECT_NE(base.Scatterings().At(1).survival, base.Scatterings().At(2).survival);
   EXPECT_NE(base.Scatterings().At(1).survival,
-    PhotonSample({ 1, 1, Sampling::Sobol }, 99).Scatterings().At(1).survival);
+    PhotonSequence({ 1, 1, Sampling::Sobol }, 99).Scatterings().At(1).survival);
 }
 
 // Joint uniformity of what one scattering uses, for independent numbers and for later scatterings.
@@ -146,7 +172,7 @@ TEST(PhotonSample, RandomNumbersFillTheSquare)
 {
   for (const std::uint32_t order : { 0u, 1u, 7u })
   {
-    PhotonSample sample({ 11, 0, Sampling::Random }, 0);
+    PhotonSequence sample({ 11, 0, Sampling::Random }, 0);
     std::vector<int> counts(32 * 32, 0);
     for (int i = 0; i < 200000; ++i, sample.Advance())
     {
@@ -168,7 +194,7 @@ void ExpectDistribution(const Warp& warp, const Cumulative& cumulativeOfCosine)
   constexpr int Polar = 20;
   constexpr int Around = 16;
   std::vector<int> counts(Polar * Around, 0);
-  PhotonSample sample({ 3, 0, Sampling::Random }, 0);
+  PhotonSequence sample({ 3, 0, Sampling::Random }, 0);
   for (int i = 0; i < 400000; ++i, sample.Advance())
   {
     const glm::vec3 direction = warp(sample.Emission(0), sample.Emission(1));
@@ -211,7 +237,7 @@ TEST(Warps, PowerCosineConeFollowsItsDensity)
 TEST(Warps, TriangleIsUniform)
 {
   std::vector<int> counts(4, 0); // the four triangles of half the size
-  PhotonSample sample({ 3, 0, Sampling::Random }, 0);
+  PhotonSequence sample({ 3, 0, Sampling::Random }, 0);
   for (int i = 0; i < 100000; ++i, sample.Advance())
   {
     const glm::vec2 b = UniformTriangle(sample.Emission(0), sample.Emission(1));

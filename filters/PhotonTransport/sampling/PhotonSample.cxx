@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/sampling/PhotonSample.h"
 
+#include "PhotonTransport/sampling/WideVectors.h"
+
+#include <cstring>
+
 namespace PhotonTransport
 {
 
-PhotonSample::PhotonSample(const SequenceKey& key, std::uint64_t photonIndex)
-  : Key(key)
-  , Index(photonIndex)
+PhotonSequence::PhotonSequence(const SequenceKey& key, std::uint64_t photonIndex)
 {
+  this->Key = key;
+  this->Index = photonIndex;
   this->StartSequence();
 }
 
-void PhotonSample::StartSequence()
+void PhotonSequence::StartSequence()
 {
   if (this->Key.sampling == Sampling::Random)
   {
-    this->DrawPoint();
+    this->DrawNumbers();
     return;
   }
   this->Point = SobolPointAt(static_cast<std::uint32_t>(this->Index));
@@ -27,27 +31,36 @@ void PhotonSample::StartSequence()
     this->Scrambles[d] =
       Philox({ d, sequence, 0, this->Key.replicate }, { this->Key.seed, ScrambleStream })[0];
   }
+  this->Scramble();
 }
 
-void PhotonSample::DrawPoint()
+void PhotonSequence::DrawNumbers()
 {
   // Blocks that no scattering order reaches.
   const auto low = PhotonRandom(this->Key, this->Index, 0xfffffffeu);
   const auto high = PhotonRandom(this->Key, this->Index, 0xffffffffu);
   for (unsigned d = 0; d < 4; ++d)
   {
-    this->Point[d] = low[d];
-    this->Point[d + 4] = high[d];
+    this->Numbers[d] = low[d];
+    this->Numbers[d + 4] = high[d];
   }
 }
 
-void PhotonSample::Advance()
+void PhotonSequence::Scramble()
+{
+  for (unsigned d = 0; d < SobolDimensions; ++d)
+  {
+    this->Numbers[d] = OwenScramble(this->Point[d], this->Scrambles[d]);
+  }
+}
+
+void PhotonSequence::Advance()
 {
   const auto position = static_cast<std::uint32_t>(this->Index);
   ++this->Index;
   if (this->Key.sampling == Sampling::Random)
   {
-    this->DrawPoint();
+    this->DrawNumbers();
   }
   else if (position == 0xffffffffu)
   {
@@ -56,7 +69,44 @@ void PhotonSample::Advance()
   else
   {
     AdvanceSobolPoint(this->Point, position);
+    this->Scramble();
   }
+}
+
+void PhotonSequence::Take(PhotonSample* samples, std::size_t count)
+{
+  const bool isWithinSequence = static_cast<std::uint32_t>(this->Index) <= 0xffffffffu - count;
+  if (this->Key.sampling == Sampling::Sobol && isWithinSequence)
+  {
+    WithWideVectors([&] { this->TakeFromSequence(samples, count); });
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i, this->Advance())
+  {
+    samples[i] = *this;
+  }
+}
+
+/// All dimensions of a point are one vector.
+inline void PhotonSequence::TakeFromSequence(PhotonSample* samples, std::size_t count)
+{
+  using Eight = std::uint32_t __attribute__((vector_size(4 * SobolDimensions)));
+  Eight point, seeds, step, numbers;
+  std::memcpy(&point, this->Point.data(), sizeof point);
+  std::memcpy(&seeds, this->Scrambles.data(), sizeof seeds);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    numbers = point;
+    OwenScrambleInPlace(numbers, seeds);
+    samples[i].Key = this->Key;
+    samples[i].Index = this->Index;
+    std::memcpy(samples[i].Numbers.data(), &numbers, sizeof numbers);
+    std::memcpy(&step, SobolStep(static_cast<std::uint32_t>(this->Index++)).data(), sizeof step);
+    point ^= step;
+  }
+  std::memcpy(this->Point.data(), &point, sizeof point);
+  OwenScrambleInPlace(point, seeds);
+  std::memcpy(this->Numbers.data(), &point, sizeof point);
 }
 
 } // namespace PhotonTransport

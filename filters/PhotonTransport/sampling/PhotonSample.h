@@ -6,6 +6,7 @@
 #include "PhotonTransport/sampling/Sobol.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace PhotonTransport
@@ -14,7 +15,8 @@ namespace PhotonTransport
 /// A number in [0, 1) from the 24 leading bits, which a float holds exactly.
 inline float UnitFloat(std::uint32_t bits)
 {
-  return static_cast<float>(bits >> 8) * 0x1p-24f;
+  // Processors convert signed numbers faster, many at a time.
+  return static_cast<float>(static_cast<std::int32_t>(bits >> 8)) * 0x1p-24f;
 }
 
 /// Which of the independent sequences of photons. Everything that is random is a function of this
@@ -26,14 +28,18 @@ struct SequenceKey
   Sampling sampling = Sampling::Sobol;
 };
 
-/// Block number `block` of a photon's random numbers.
+/// Block number `block` of a photon's random numbers. @param low, high Of the photon's index.
+inline std::array<std::uint32_t, 4> PhotonRandom(
+  const SequenceKey& key, std::uint32_t low, std::uint32_t high, std::uint32_t block)
+{
+  constexpr std::uint32_t PhotonStream = 0x50686f74u; // apart from the scrambling seeds
+  return Philox({ low, high, block, key.replicate }, { key.seed, PhotonStream });
+}
 inline std::array<std::uint32_t, 4> PhotonRandom(
   const SequenceKey& key, std::uint64_t photonIndex, std::uint32_t block)
 {
-  constexpr std::uint32_t PhotonStream = 0x50686f74u; // apart from the scrambling seeds
-  return Philox({ static_cast<std::uint32_t>(photonIndex),
-                  static_cast<std::uint32_t>(photonIndex >> 32), block, key.replicate },
-    { key.seed, PhotonStream });
+  return PhotonRandom(key, static_cast<std::uint32_t>(photonIndex),
+    static_cast<std::uint32_t>(photonIndex >> 32), block);
 }
 
 /// Two numbers in [0, 1) for photons that are kept or not.
@@ -73,20 +79,15 @@ struct ScatteringNumbers
   }
 };
 
-/// All the random numbers of consecutive photons, one photon at a time.
+/// All the random numbers of a photon.
 class PhotonSample
 {
 public:
-  PhotonSample(const SequenceKey& key, std::uint64_t photonIndex);
-
-  /// Moves on to the photon with the next index.
-  void Advance();
-
   /// Dimension `d` of the emission, in [0, 1). What takes two numbers takes 0 and 1, or 2 and 3.
-  float Emission(unsigned d) const { return UnitFloat(this->Leading(d)); }
+  float Emission(unsigned d) const { return UnitFloat(this->Numbers[d]); }
   static constexpr unsigned ChoiceDimension = 4; ///< Chooses the lamp, and the facet that shines.
   /// The same as a 32-bit fraction, for choosing among many.
-  std::uint32_t EmissionBits(unsigned d) const { return this->Leading(d); }
+  std::uint32_t EmissionBits(unsigned d) const { return this->Numbers[d]; }
 
   /// In [0, 1): decides whether a photon is kept that was drawn by a bound of its light.
   float KeepingNumber() const { return KeepingNumbers(this->Key, this->Index)[0]; }
@@ -94,23 +95,38 @@ public:
   ScatteringNumbers Scatterings() const
   {
     return { this->Key, this->Index,
-      { this->Leading(5), UnitFloat(this->Leading(6)), UnitFloat(this->Leading(7)) } };
+      { this->Numbers[5], UnitFloat(this->Numbers[6]), UnitFloat(this->Numbers[7]) } };
   }
 
 private:
-  std::uint32_t Leading(unsigned dimension) const
-  {
-    return this->Key.sampling == Sampling::Sobol
-      ? OwenScramble(this->Point[dimension], this->Scrambles[dimension])
-      : this->Point[dimension];
-  }
-  void StartSequence();
-  void DrawPoint();
+  friend class PhotonSequence;
 
   SequenceKey Key;
-  std::uint64_t Index;
-  SobolPoint Point{};
-  std::array<std::uint32_t, SobolDimensions> Scrambles{};
+  std::uint64_t Index = 0;
+  alignas(32) std::array<std::uint32_t, SobolDimensions> Numbers{};
+};
+
+/// Consecutive photons, one at a time.
+class PhotonSequence : public PhotonSample
+{
+public:
+  PhotonSequence(const SequenceKey& key, std::uint64_t photonIndex);
+
+  /// Moves on to the photon with the next index.
+  void Advance();
+
+  /// Stores photons from the present one on, and moves on behind them. Many together take less
+  /// time.
+  void Take(PhotonSample* samples, std::size_t count);
+
+private:
+  void StartSequence();
+  void DrawNumbers();
+  void Scramble();
+  void TakeFromSequence(PhotonSample* samples, std::size_t count);
+
+  alignas(32) SobolPoint Point{};
+  alignas(32) std::array<std::uint32_t, SobolDimensions> Scrambles{};
 };
 
 } // namespace PhotonTransport

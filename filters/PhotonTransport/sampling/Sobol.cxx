@@ -28,7 +28,6 @@ constexpr std::array<SobolGenerator, SobolDimensions - 1> Generators = { {
 
 constexpr unsigned Bits = 32;
 
-/// Direction numbers by bit, then dimension, digits reversed: one row is one cache line half.
 using DirectionTable = std::array<SobolPoint, Bits>;
 
 constexpr DirectionTable MakeDirections()
@@ -70,8 +69,6 @@ constexpr DirectionTable MakeDirections()
   return table;
 }
 
-constexpr DirectionTable Directions = MakeDirections();
-
 void ExclusiveOr(SobolPoint& point, const SobolPoint& row)
 {
   for (unsigned dimension = 0; dimension < SobolDimensions; ++dimension)
@@ -82,6 +79,8 @@ void ExclusiveOr(SobolPoint& point, const SobolPoint& row)
 
 } // namespace
 
+alignas(32) constexpr DirectionTable SobolDirections = MakeDirections();
+
 SobolPoint SobolPointAt(std::uint32_t index)
 {
   SobolPoint point{};
@@ -90,19 +89,10 @@ SobolPoint SobolPointAt(std::uint32_t index)
   {
     if ((gray >> bit) & 1u)
     {
-      ExclusiveOr(point, Directions[bit]);
+      ExclusiveOr(point, SobolDirections[bit]);
     }
   }
   return point;
-}
-
-void AdvanceSobolPoint(SobolPoint& point, std::uint32_t index)
-{
-  // Gray codes of neighbours differ in the lowest zero bit of the smaller. After the last of the
-  // 2^32 points any row will do: the caller starts a new sequence.
-  const std::uint32_t zeros = ~index | (1u << (Bits - 1));
-  const auto bit = static_cast<unsigned>(__builtin_ctz(zeros));
-  ExclusiveOr(point, Directions[bit]);
 }
 
 } // namespace PhotonTransport

@@ -20,15 +20,32 @@ using SobolPoint = std::array<std::uint32_t, SobolDimensions>;
 /// order than the plain sequence does, and the next point costs one exclusive-or in each dimension.
 SobolPoint SobolPointAt(std::uint32_t index);
 
-/// Turns point number `index` into point number `index + 1`.
-void AdvanceSobolPoint(SobolPoint& point, std::uint32_t index);
+/// Direction numbers by bit, then dimension, digits reversed: one row is one cache line half.
+extern const std::array<SobolPoint, 32> SobolDirections;
+
+/// What turns point number `index` into point number `index + 1` by exclusive-or.
+inline const SobolPoint& SobolStep(std::uint32_t index)
+{
+  // Gray codes of neighbours differ in the lowest zero bit of the smaller. After the last of the
+  // 2^32 points any row will do: the caller starts a new sequence.
+  return SobolDirections[static_cast<unsigned>(__builtin_ctz(~index | 0x80000000u))];
+}
+inline void AdvanceSobolPoint(SobolPoint& point, std::uint32_t index)
+{
+  const SobolPoint& step = SobolStep(index);
+  for (unsigned d = 0; d < SobolDimensions; ++d)
+  {
+    point[d] ^= step[d];
+  }
+}
 
 /// Owen's nested uniform scrambling of one reversed coordinate; the result is an ordinary binary
 /// fraction, digits in order. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020,
 /// after Laine and Karras 2011, with the better mixing constants found by N. Vegdahl (2021).
-inline std::uint32_t OwenScramble(std::uint32_t reversed, std::uint32_t seed)
+/// @tparam Bits A number of 32 bits, or a vector of such. @param x The coordinate, and the result.
+template <typename Bits>
+[[gnu::always_inline]] inline void OwenScrambleInPlace(Bits& x, const Bits& seed)
 {
-  std::uint32_t x = reversed;
   x ^= x * 0x3d20adeau;
   x += seed;
   x *= (seed >> 16) | 1u;
@@ -39,7 +56,12 @@ inline std::uint32_t OwenScramble(std::uint32_t reversed, std::uint32_t seed)
   x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
   x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
   x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
-  return (x >> 16) | (x << 16);
+  x = (x >> 16) | (x << 16);
+}
+inline std::uint32_t OwenScramble(std::uint32_t reversed, std::uint32_t seed)
+{
+  OwenScrambleInPlace(reversed, seed);
+  return reversed;
 }
 
 } // namespace PhotonTransport

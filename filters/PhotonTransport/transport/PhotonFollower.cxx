@@ -226,7 +226,7 @@ StoredPhotons PhotonFollower::Hits(const std::vector<std::uint64_t>& blocks, std
 
 Ray PhotonFollower::StartOf(std::uint64_t photon) const
 {
-  const Emission emission = this->Source.Emit(PhotonSample(this->Key(0), photon));
+  const Emission emission = this->Source.Emit(PhotonSequence(this->Key(0), photon));
   const bool isWayOut = this->Source.PartOf(emission.source) != LightPart::Whole;
   return { emission.ray.origin, isWayOut ? -emission.ray.direction : emission.ray.direction };
 }

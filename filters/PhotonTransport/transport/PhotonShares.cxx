@@ -43,7 +43,7 @@ Fates FatesOf(const Scene& scene, const Emitter& emitter, const OpeningPhotons& 
   std::array<Hit, PhotonsTogether> hits;
   std::vector<PhotonBalance> balances(emitter.Sources());
   std::vector<Arrivals> arrivals(emitter.Sources());
-  PhotonSample sample({ 0x53686172u, 0, Sampling::Random }, 0);
+  PhotonSequence sample({ 0x53686172u, 0, Sampling::Random }, 0);
   Fates fates;
   for (std::uint64_t done = 0; done < Pilots; done += PhotonsTogether)
   {

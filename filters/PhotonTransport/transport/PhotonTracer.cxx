@@ -203,7 +203,7 @@ void PhotonTracer::FreeSums()
 std::optional<glm::uvec3> PhotonTracer::CornersLitFromBehind(std::uint32_t lamp) const
 {
   constexpr std::uint64_t Tries = 1u << 16;
-  PhotonSample sample({ this->Settings.seed, 0, this->Settings.sampling }, 0);
+  PhotonSequence sample({ this->Settings.seed, 0, this->Settings.sampling }, 0);
   for (std::uint64_t photon = 0; photon < Tries; ++photon, sample.Advance())
   {
     const Emission emission = this->Impl->source.Emit(sample);

@@ -15,6 +15,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <type_traits>
@@ -248,16 +249,20 @@ void WalkPhotons(const WalkSettings& settings, std::uint64_t first, std::uint64_
   std::array<Ray, Together> rays;
   std::array<Hit, Together> hits;
   std::size_t flying = 0;
-  PhotonSample sample(settings.key, first);
+  std::array<PhotonSample, Together> emitted;
+  PhotonSequence sequence(settings.key, first);
   std::uint64_t next = first;
   do
   {
     const std::size_t onWay = flying;
-    for (; flying < Together && next < last; ++next, sample.Advance())
+    const std::size_t started = std::min<std::size_t>(Together - flying, last - next);
+    sequence.Take(emitted.data(), started);
+    next += started;
+    for (std::size_t i = 0; i < started; ++i)
     {
-      const Emission emission = settings.source.Emit(sample);
+      const Emission emission = settings.source.Emit(emitted[i]);
       rays[flying] = emission.ray;
-      photons[flying++] = { sample.Scatterings(), 0, OriginOf(emission) };
+      photons[flying++] = { emitted[i].Scatterings(), 0, OriginOf(emission) };
       ++balances[emission.source].emitted;
     }
     if (settings.openings)
