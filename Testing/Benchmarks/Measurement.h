@@ -124,24 +124,23 @@ struct KeepHit
   void Arrived(const PhotonTransport::Hit&, bool, const PhotonTransport::PhotonOrigin&) const {}
 };
 
-/// One photon's segments, from emission to end.
+/// The next photon's segments, from emission to end.
 template <PhotonTransport::Walk WalkKind>
 void RecordPhoton(const PhotonTransport::WalkSettings& walk,
-  const PhotonTransport::PhotonSample& sample, std::vector<Segment>& segments)
+  PhotonTransport::PhotonSequence& sample, std::vector<Segment>& segments)
 {
-  const PhotonTransport::Emission emission = walk.source.Emit(sample);
-  PhotonTransport::Flight flight{ sample.Scatterings(), 0, PhotonTransport::OriginOf(emission) };
-  PhotonTransport::Ray next = emission.ray;
-  PhotonTransport::PhotonBalance balance;
+  std::vector<PhotonTransport::PhotonBalance> balances(walk.source.Lamps());
   std::vector<PhotonTransport::Arrivals> arrivals(walk.source.Lamps());
-  Segment segment;
-  bool goesOn = true;
-  while (goesOn)
+  PhotonTransport::FlightBatch batch(walk.key);
+  batch.Emit(walk.source, sample, 1, balances.data());
+  while (batch.flying > 0)
   {
-    segment.ray = next;
-    walk.scene.Intersect(&segment.ray, &segment.hit, 1);
-    goesOn = PhotonTransport::Arrive<WalkKind>(
-      flight, next, segment.hit, walk, KeepHit{ segment }, balance, arrivals.data());
+    Segment segment;
+    segment.ray = batch.rays[0];
+    walk.scene.Intersect(batch.rays.data(), batch.hits.data(), 1);
+    PhotonTransport::ArriveAll<WalkKind>(
+      batch, walk, KeepHit{ segment }, balances.data(), arrivals.data());
+    segment.hit = batch.hits[0];
     segments.push_back(segment);
   }
 }
@@ -165,7 +164,7 @@ inline std::vector<Segment> RecordSegments(const PhotonTransport::Scene& scene,
     : RecordPhoton<PhotonTransport::Walk::General>;
   std::vector<Segment> segments;
   PhotonTransport::PhotonSequence sample(key, 0);
-  for (std::uint64_t photon = 0; photon < photons; ++photon, sample.Advance())
+  for (std::uint64_t photon = 0; photon < photons; ++photon)
   {
     record(walk, sample, segments);
   }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "PhotonTransport/materials/DiffuseReflection.h"
+#include "PhotonTransport/materials/DiffuseReflections.h"
 #include "PhotonTransport/sampling/PhotonSample.h"
 #include "PhotonTransport/sampling/Warps.h"
 
@@ -154,6 +156,53 @@ TEST(PhotonSample, ManyTogetherAreThoseOneByOne)
       }
       EXPECT_EQ(together.EmissionBits(6), single.EmissionBits(6));
     }
+  }
+}
+
+TEST(ScatteringSamples, AreTheNumbersOfEachPhoton)
+{
+  const SequenceKey key{ 5, 2, Sampling::Sobol };
+  const auto numbersOf = [&](std::size_t place)
+  { return PhotonSequence(key, 0xffffffe0u + 3 * place).Scatterings(); };
+  ScatteringSamples samples(key);
+  for (const std::size_t count : { 64u, 0u, 1u, 11u })
+  {
+    for (std::size_t place = 0; place < count; ++place)
+    {
+      samples.Add(place, numbersOf(place), static_cast<std::uint32_t>(place % 5));
+    }
+    samples.Draw();
+    for (std::size_t place = 0; place < count; ++place)
+    {
+      const ScatteringSample single = numbersOf(place).At(static_cast<std::uint32_t>(place % 5));
+      ASSERT_EQ(samples[place].survival, single.survival);
+      ASSERT_EQ(samples[place].u, single.u);
+      ASSERT_EQ(samples[place].v, single.v);
+    }
+  }
+}
+
+TEST(DiffuseReflections, AreThoseOfSinglePhotons)
+{
+  PhotonSequence sample({ 9, 0, Sampling::Random }, 0);
+  DiffuseReflections together;
+  for (int batch = 0; batch < 1000; ++batch)
+  {
+    std::vector<glm::vec3> directions;
+    const std::size_t count = batch % 2 == 0 ? DiffuseReflections::Most : 13;
+    for (std::size_t i = 0; i < count; ++i, sample.Advance())
+    {
+      const glm::vec3 normal = UniformSphere(sample.Emission(0), sample.Emission(1));
+      ScatteringSample numbers = sample.Scatterings().At(1);
+      numbers.u = i % 7 == 0 ? 0.5f : numbers.u;
+      numbers.v = i % 7 < 2 ? 0.5f : numbers.v; // the middle of the disk, too
+      together.Add(normal, numbers);
+      directions.push_back(ReflectDiffusely(normal, numbers.u, numbers.v));
+    }
+    std::size_t found = 0;
+    together.Reflect([&](std::size_t place, const glm::vec3& direction)
+      { found += place < count && direction == directions[place]; });
+    ASSERT_EQ(found, count);
   }
 }
 

@@ -23,18 +23,17 @@ inline glm::vec2 ConcentricDisk(float u, float v)
   const float b = 2.0f * v - 1.0f;
   const bool wide = std::fabs(a) > std::fabs(b);
   const float radius = wide ? a : b;
-  if (radius == 0.0f)
-  {
-    return { 0.0f, 0.0f };
-  }
-  const float angle = 0.78539816339744831f * ((wide ? b : a) / radius); // within +-pi/4
+  // Where both are zero any divisor but zero will do.
+  const float ratio = (wide ? b : a) / (radius == 0.0f ? 1.0f : radius);
+  const float angle = 0.78539816339744831f * ratio; // within +-pi/4
   // Taylor, error below 3e-8 within +-pi/4.
   const float s = angle * angle;
   const float sine =
     angle * (1.0f + s * (-1.0f / 6 + s * (1.0f / 120 + s * (-1.0f / 5040 + s * (1.0f / 362880)))));
   const float cosine = 1.0f + s * (-0.5f + s * (1.0f / 24 + s * (-1.0f / 720 + s / 40320)));
-  return wide ? glm::vec2(radius * cosine, radius * sine)
-              : glm::vec2(radius * sine, radius * cosine);
+  const float along = radius * cosine;
+  const float across = radius * sine;
+  return { wide ? along : across, wide ? across : along };
 }
 
 /// The place in the unit square that ConcentricDisk maps to a point of the unit disk.

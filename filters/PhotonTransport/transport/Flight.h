@@ -4,7 +4,7 @@
 #include "PhotonTransport/lights/Emitter.h"
 #include "PhotonTransport/materials/ColourScattering.h"
 #include "PhotonTransport/registration/Registrar.h"
-#include "PhotonTransport/sampling/PhotonSample.h"
+#include "PhotonTransport/sampling/ScatteringSamples.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -43,6 +43,6 @@ Departure ScatterPhoton(const Roulette& material, PhotonOrigin& photon,
 }
 
 /// So many photons are followed together.
-constexpr std::size_t PhotonsTogether = 64;
+constexpr std::size_t PhotonsTogether = ScatteringSamples::Most;
 
 } // namespace PhotonTransport

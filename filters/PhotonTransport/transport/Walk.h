@@ -10,7 +10,7 @@
 #include "PhotonTransport/registration/Registrar.h"
 #include "PhotonTransport/sampling/PhotonSample.h"
 #include "PhotonTransport/scene/Scene.h"
-#include "PhotonTransport/transport/Flight.h"
+#include "PhotonTransport/transport/FlightBatch.h"
 #include "PhotonTransport/transport/OpeningPhotons.h"
 
 #include <glm/geometric.hpp>
@@ -56,22 +56,18 @@ struct WalkSettings
 };
 
 /// What a photon does at the end of a segment, by its material. It takes the colour that this gives
-/// it.
+/// it. In Walk::Diffuse the direction is the normal: the photon's own is found later.
 template <Walk WalkKind>
-Departure Depart(
-  Flight& photon, const Ray& ray, const Hit& hit, bool front, const WalkSettings& settings)
+Departure Depart(Flight& photon, const ScatteringSample& sample, const Ray& ray, const Hit& hit,
+  bool front, const WalkSettings& settings)
 {
   const Facet& facet = settings.scene.Facets()[hit.facet];
-  const ScatteringSample sample = photon.numbers.At(photon.order);
   const glm::vec3 normal = front ? facet.normal : -facet.normal;
   if constexpr (WalkKind == Walk::Diffuse)
   {
     Departure departure;
-    if (Survives(facet.reflectance, sample.survival))
-    {
-      departure.absorbed = false;
-      departure.direction = ReflectDiffusely(normal, sample.u, sample.v);
-    }
+    departure.absorbed = !Survives(facet.reflectance, sample.survival);
+    departure.direction = normal;
     return departure;
   }
   else
@@ -139,7 +135,9 @@ void Keep(const Flight& photon, const Ray& ray, const Hit& hit, bool front, cons
 }
 
 /// What happens to a photon at the end of a segment.
-/// @param ray The segment; the next one if the photon goes on.
+/// @param sample What decides where it goes on.
+/// @param ray The segment; the next one if the photon goes on, but in Walk::Diffuse with the normal
+/// in place of the direction.
 /// @param hit Its end; moved to another facet where that one lies in the same place and counts.
 /// @param onHit Called as onHit(ray, hit, front, photon.origin, corners); without `corners` all
 /// corners of the facet count. After that onHit.Arrived(hit, front, photon.origin) is called
@@ -147,8 +145,8 @@ void Keep(const Flight& photon, const Ray& ray, const Hit& hit, bool front, cons
 /// @param arrivals By source.
 /// @return Whether it goes on.
 template <Walk WalkKind, class OnHit>
-bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, const OnHit& onHit,
-  PhotonBalance& balance, Arrivals* arrivals)
+bool Arrive(Flight& photon, const ScatteringSample& sample, Ray& ray, Hit& hit,
+  const WalkSettings& settings, const OnHit& onHit, PhotonBalance& balance, Arrivals* arrivals)
 {
   ++balance.segments;
   bool underWay = WalkKind == Walk::Ends ||
@@ -206,7 +204,7 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
   }
   else
   {
-    const Departure departure = Depart<WalkKind>(photon, ray, hit, front, settings);
+    const Departure departure = Depart<WalkKind>(photon, sample, ray, hit, front, settings);
     if (departure.absorbed)
     {
       ++balance.absorbed;
@@ -235,6 +233,55 @@ bool Arrive(Flight& photon, Ray& ray, Hit& hit, const WalkSettings& settings, co
   }
 }
 
+/// What happens to all photons of a batch at the ends of their segments; see Arrive. Those that go
+/// on stay in the batch.
+/// @param balances, arrivals By source.
+template <Walk WalkKind, class OnHit>
+void ArriveAll(FlightBatch& batch, const WalkSettings& settings, const OnHit& onHit,
+  PhotonBalance* balances, Arrivals* arrivals)
+{
+  if constexpr (WalkKind != Walk::Ends)
+  {
+    for (std::size_t i = 0; i < batch.flying; ++i)
+    {
+      batch.samples.Add(i, batch.photons[i].numbers, batch.photons[i].order);
+    }
+    batch.samples.Draw();
+  }
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < batch.flying; ++i)
+  {
+    Flight& photon = batch.photons[left] = batch.photons[i];
+    Ray& ray = batch.rays[left] = batch.rays[i];
+    const ScatteringSample& sample = batch.samples[i];
+    const bool goesOn = Arrive<WalkKind>(photon, sample, ray, batch.hits[i], settings, onHit,
+      balances[photon.origin.source], arrivals);
+    if (WalkKind == Walk::Diffuse && goesOn)
+    {
+      batch.diffuse.Add(ray.direction, sample);
+    }
+    left += goesOn;
+  }
+  batch.flying = left;
+  batch.diffuse.Reflect([&](std::size_t place, const glm::vec3& direction)
+    { batch.rays[place].direction = direction; });
+}
+
+/// Brings what the photons' arrival will need into the cache.
+template <class OnHit>
+[[gnu::always_inline]] inline void PrefetchHits(
+  const FlightBatch& batch, const Scene& scene, const OnHit& onHit)
+{
+  for (std::size_t i = 0; i < batch.flying; ++i)
+  {
+    scene.PrefetchFacet(batch.hits[i]);
+  }
+  for (std::size_t i = 0; i < batch.flying; ++i)
+  {
+    onHit.Prefetch(batch.hits[i]);
+  }
+}
+
 /// Follows photons [first, last) of a sequence from emission to end.
 ///
 /// They are followed many at a time, for two reasons: Embree takes rays in packets, and the memory
@@ -244,58 +291,29 @@ template <Walk WalkKind, class OnHit>
 void WalkPhotons(const WalkSettings& settings, std::uint64_t first, std::uint64_t last,
   const OnHit& onHit, PhotonBalance* balances, Arrivals* arrivals)
 {
-  constexpr std::size_t Together = PhotonsTogether;
-  std::array<Flight, Together> photons;
-  std::array<Ray, Together> rays;
-  std::array<Hit, Together> hits;
-  std::size_t flying = 0;
-  std::array<PhotonSample, Together> emitted;
+  FlightBatch batch(settings.key);
   PhotonSequence sequence(settings.key, first);
   std::uint64_t next = first;
   do
   {
-    const std::size_t onWay = flying;
-    const std::size_t started = std::min<std::size_t>(Together - flying, last - next);
-    sequence.Take(emitted.data(), started);
+    const std::size_t onWay = batch.flying;
+    const std::size_t started = std::min<std::size_t>(PhotonsTogether - onWay, last - next);
+    batch.Emit(settings.source, sequence, started, balances);
     next += started;
-    for (std::size_t i = 0; i < started; ++i)
-    {
-      const Emission emission = settings.source.Emit(emitted[i]);
-      rays[flying] = emission.ray;
-      photons[flying++] = { emitted[i].Scatterings(), 0, OriginOf(emission) };
-      ++balances[emission.source].emitted;
-    }
     if (settings.openings)
     {
-      flying =
-        settings.openings->Start(photons.data(), rays.data(), onWay, flying, balances, arrivals);
+      batch.flying = settings.openings->Start(
+        batch.photons.data(), batch.rays.data(), onWay, batch.flying, balances, arrivals);
     }
-    settings.scene.Intersect(rays.data(), hits.data(), flying);
+    settings.scene.Intersect(batch.rays.data(), batch.hits.data(), batch.flying);
     if (settings.openings)
     {
-      flying = settings.openings->HandOver(
-        photons.data(), rays.data(), hits.data(), flying, balances, arrivals);
+      batch.flying = settings.openings->HandOver(batch.photons.data(), batch.rays.data(),
+        batch.hits.data(), batch.flying, balances, arrivals);
     }
-    for (std::size_t i = 0; i < flying; ++i)
-    {
-      settings.scene.PrefetchFacet(hits[i]);
-    }
-    for (std::size_t i = 0; i < flying; ++i)
-    {
-      onHit.Prefetch(hits[i]);
-    }
-    std::size_t stillFlying = 0;
-    for (std::size_t i = 0; i < flying; ++i)
-    {
-      if (Arrive<WalkKind>(photons[i], rays[i], hits[i], settings, onHit,
-            balances[photons[i].origin.source], arrivals))
-      {
-        photons[stillFlying] = photons[i];
-        rays[stillFlying++] = rays[i];
-      }
-    }
-    flying = stillFlying;
-  } while (flying > 0 || next < last);
+    PrefetchHits(batch, settings.scene, onHit);
+    ArriveAll<WalkKind>(batch, settings, onHit, balances, arrivals);
+  } while (batch.flying > 0 || next < last);
 }
 
 } // namespace PhotonTransport
