@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Directions in which rays go on from facets close to a receiver.
 #include "PhotonTransport/gathering/NearGuide.h"
+#include "PhotonTransport/sampling/Warps.h"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <vector>
 
@@ -49,7 +53,10 @@ TEST(NearGuide, DoesNotChangeTheLight)
   Guide guide;
   guide.Set(Size, found);
   const glm::vec3 ofReceiver(0.0f, 0.0f, 1.0f);
-  const NearGuide near(guide, Frame(ofReceiver));
+  NearGuide near;
+  std::vector<std::uint8_t> isNear(Size * Size, 0);
+  isNear[6 * Size + 1] = isNear[3 * Size + 3] = 1;
+  near.Set(guide, Frame(ofReceiver), isNear);
   for (const glm::vec3& normal : { glm::vec3(0.0f, 0.0f, 1.0f), glm::vec3(1.0f, 0.0f, 0.0f),
          glm::normalize(glm::vec3(-1.0f, 2.0f, 0.5f)), glm::vec3(0.0f, 0.0f, -1.0f) })
   {
@@ -70,6 +77,24 @@ TEST(NearGuide, DoesNotChangeTheLight)
     // The error of the middles is that of the guide's edges, some 4 of 512 squares wide.
     EXPECT_NEAR(weights / (Side * Side), 1.0, 0.005);
     EXPECT_NEAR(guided / byCosine, 1.0, 0.005);
-    EXPECT_LT(largest, 1.0f / 0.7f + 1e-5f);
+    EXPECT_LT(largest, 1.0f / 0.6f + 1e-5f);
+  }
+}
+
+// A guide to what is close by tells a facet beside the receiver nothing: all rays follow the
+// cosine.
+TEST(NearGuide, LeavesLightFromCloseByToTheCosine)
+{
+  constexpr std::size_t Size = 4;
+  std::vector<float> found(Size * Size, 0.0f);
+  found[5] = 3.0f;
+  Guide guide;
+  guide.Set(Size, found);
+  NearGuide near;
+  near.Set(guide, Frame(glm::vec3(0.0f, 0.0f, 1.0f)), std::vector<std::uint8_t>(Size * Size, 1));
+  const glm::vec3 normal(1.0f, 0.0f, 0.0f);
+  for (const float u : { 0.0f, 0.3f, 0.9f, 1.0f - 0x1p-24f })
+  {
+    EXPECT_FLOAT_EQ(near.At(normal, u, 0.6f).weight, 1.0f);
   }
 }

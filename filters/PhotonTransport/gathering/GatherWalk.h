@@ -48,7 +48,7 @@ public:
   /// @param rays At most 2^16. Those without a direction are left out. @param through [ray]
   /// @param onwards By which rays go on from facets close to the receiver; by the cosine if null.
   void Follow(const std::vector<Ray>& rays, const std::vector<LightThrough>& through,
-    const GatherSequence& sequence, Sink& sink, const NearGuide* onwards = nullptr)
+    const GatherSequence& sequence, Sink& sink, NearGuide* onwards = nullptr)
   {
     this->Onwards = onwards;
     this->Start(rays, through);
@@ -289,7 +289,7 @@ private:
   std::vector<Ray> BranchRays;
   std::vector<Sharer> Sharers;
   Receiver Near;
-  const NearGuide* Onwards = nullptr;
+  NearGuide* Onwards = nullptr;
 };
 
 } // namespace PhotonTransport

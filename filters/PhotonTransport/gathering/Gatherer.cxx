@@ -93,6 +93,7 @@ double Gatherer::Probe(
   }
   this->Follow({ LightThrough::NoOpening }, sequence, light);
   this->Directions.Set(side, this->Reader.ExpectedOfRays());
+  this->Onwards.Set(this->Directions, frame, this->Reader.FollowedRays());
   return this->VarianceOfRays(side);
 }
 
@@ -112,8 +113,7 @@ double Gatherer::GatherGuided(
     this->AddRay(
       at, frame.ToWorld(CosineHemisphere(guided.place.x, guided.place.y)), ofRay / guided.density);
   }
-  const NearGuide onwards(this->Directions, frame);
-  this->Follow({ LightThrough::NoOpening }, sequence, light, &onwards);
+  this->Follow({ LightThrough::NoOpening }, sequence, light, &this->Onwards);
   return this->VarianceOfRays(side);
 }
 
@@ -159,7 +159,7 @@ double Gatherer::GatherThrough(std::uint32_t opening, const SeenOpening& seen, s
 
 /// Adds the light of all rays.
 void Gatherer::Follow(const LightThrough& through, const GatherSequence& sequence,
-  ReceivedLight& light, const NearGuide* onwards)
+  ReceivedLight& light, NearGuide* onwards)
 {
   this->Reader.Start(this->Factors, light);
   this->Through.assign(this->Rays.size(), through);

@@ -60,7 +60,7 @@ private:
   void AddRay(const Receiver& at, const glm::vec3& direction, double factor);
   /// @param onwards See GatherWalk.
   void Follow(const LightThrough& through, const GatherSequence& sequence, ReceivedLight& light,
-    const NearGuide* onwards = nullptr);
+    NearGuide* onwards = nullptr);
   double VarianceOfRays(std::size_t side) const;
 
   GatherScene Gathered;
@@ -69,6 +69,7 @@ private:
   GatherWalk<LightReader> Walk;
   LightReader Reader;
   Guide Directions;
+  NearGuide Onwards;
   DirectResult OfLamps;
   std::vector<Ray> Rays;
   std::vector<LightThrough> Through; ///< [ray]

@@ -3,7 +3,6 @@
 
 #include <glm/vec2.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -30,14 +29,10 @@ public:
   /// @param u, v In [0, 1).
   GuidedPlace At(float u, float v) const;
 
-  /// The density with which At draws a place; 1 on average over the square.
-  float DensityAt(const glm::vec2& place) const
-  {
-    const auto size = static_cast<float>(this->Size);
-    const auto cell = [&](float x)
-    { return std::min(static_cast<std::size_t>(std::max(0.0f, x) * size), this->Size - 1); };
-    return this->Shares[cell(place.x) * this->Size + cell(place.y)] * size * size;
-  }
+  /// Cells along each side.
+  std::size_t Side() const { return this->Size; }
+  /// How much of all light comes from a cell; 1 in sum. @param cell row * Side() + column.
+  float ShareOf(std::size_t cell) const { return this->Shares[cell]; }
 
 private:
   void Smooth(const std::vector<float>& values);

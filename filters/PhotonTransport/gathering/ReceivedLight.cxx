@@ -46,6 +46,7 @@ void LightReader::OnFollowed(const GatherFlight& flight, std::uint32_t cell, boo
     }
   }
   constexpr float Noisy = 2.0f; // what is found there by one ray is noise for the most part
+  this->Followed[flight.ray] = 1;
   this->Expected[flight.ray] += Noisy * static_cast<float>(mean);
 }
 

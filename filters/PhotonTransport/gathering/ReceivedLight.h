@@ -56,10 +56,13 @@ public:
     this->Light = &light;
     this->Found.assign(factors.size(), glm::vec2(0.0f));
     this->Expected.assign(factors.size(), 0.0f);
+    this->Followed.assign(factors.size(), 0);
   }
   /// [ray] What to expect, without the factors: what was found, but of facets close to the
   /// receiver what the map tells of them, since a ray that is followed from there tells little.
   const std::vector<float>& ExpectedOfRays() const { return this->Expected; }
+  /// [ray] 1 if it has met a facet close to the receiver and was followed from there.
+  const std::vector<std::uint8_t>& FollowedRays() const { return this->Followed; }
   /// [ray] What was found, without the factors, by the even and by the odd replicates.
   const std::vector<glm::vec2>& FoundByRays() const { return this->Found; }
 
@@ -92,6 +95,7 @@ private:
   ReceivedLight* Light = nullptr;
   std::vector<glm::vec2> Found;
   std::vector<float> Expected;
+  std::vector<std::uint8_t> Followed;
   /// [replicate] Its share in the mean of the even or the odd replicates.
   std::vector<double> ShareOfHalf;
 };
