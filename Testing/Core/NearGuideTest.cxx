@@ -60,13 +60,14 @@ TEST(NearGuide, DoesNotChangeTheLight)
   for (const glm::vec3& normal : { glm::vec3(0.0f, 0.0f, 1.0f), glm::vec3(1.0f, 0.0f, 0.0f),
          glm::normalize(glm::vec3(-1.0f, 2.0f, 0.5f)), glm::vec3(0.0f, 0.0f, -1.0f) })
   {
-    constexpr int Side = 512; // places in the middles of squares
+    // Places in the middles of rectangles; the first number alone decides the cell of the guide.
+    constexpr int Rows = 8192, Columns = 64, Places = Rows * Columns;
     double guided = 0.0, byCosine = 0.0, weights = 0.0;
     float largest = 0.0f;
-    for (int i = 0; i < Side * Side; ++i)
+    for (int i = 0; i < Places; ++i)
     {
-      const float u = (static_cast<float>(i / Side) + 0.5f) / Side;
-      const float v = (static_cast<float>(i % Side) + 0.5f) / Side;
+      const float u = (static_cast<float>(i / Columns) + 0.5f) / Rows;
+      const float v = (static_cast<float>(i % Columns) + 0.5f) / Columns;
       const NearGuide::Way way = near.At(normal, u, v);
       EXPECT_TRUE(way.weight == 0.0f || glm::dot(way.direction, normal) > 0.0f);
       guided += double{ way.weight } * LightFrom(way.direction);
@@ -74,8 +75,8 @@ TEST(NearGuide, DoesNotChangeTheLight)
       largest = std::max(largest, way.weight);
       byCosine += LightFrom(Frame(normal).ToWorld(CosineHemisphere(u, v)));
     }
-    // The error of the middles is that of the guide's edges, some 4 of 512 squares wide.
-    EXPECT_NEAR(weights / (Side * Side), 1.0, 0.005);
+    // The error of the middles is that of the guide's edges.
+    EXPECT_NEAR(weights / Places, 1.0, 0.005);
     EXPECT_NEAR(guided / byCosine, 1.0, 0.005);
     EXPECT_LT(largest, 1.0f / 0.6f + 1e-5f);
   }
