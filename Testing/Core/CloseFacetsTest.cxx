@@ -23,7 +23,7 @@ namespace
 struct Mesh
 {
   std::vector<glm::vec3> positions;
-  std::vector<Facet> facets;
+  LargeArray<Facet> facets;
 
   /// A facet of points of its own. @return Whether it has an area.
   bool Add(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
@@ -211,13 +211,13 @@ TEST(CloseFacets, NoneBeforeAMiddleIsMissing)
 TEST(CloseFacets, KeysAreSortedAndStable)
 {
   std::mt19937_64 random(1);
-  std::vector<std::uint64_t> keys(300'000);
+  LargeArray<std::uint64_t> keys(300'000);
   for (std::size_t i = 0; i < keys.size(); ++i)
   {
     // Few and many keys that are equal above, in the whole range.
     keys[i] = (i % 2 == 0 ? random() % 7 : random() >> 32) << 32 | i;
   }
-  std::vector<std::uint64_t> expected = keys;
+  LargeArray<std::uint64_t> expected = keys;
   std::stable_sort(expected.begin(), expected.end(),
     [](std::uint64_t a, std::uint64_t b) { return a >> 32 < b >> 32; });
   SortByUpperHalf(keys);

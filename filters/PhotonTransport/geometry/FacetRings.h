@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/memory/HugePages.h"
+#include "PhotonTransport/memory/LargeArray.h"
+
 #include <glm/vec3.hpp>
 
 #include <cstddef>
@@ -46,7 +49,7 @@ public:
 
 private:
   std::vector<std::uint64_t> Offsets;
-  std::vector<std::uint32_t> Facets;
+  LargeArray<std::uint32_t> Facets;
 };
 
 template <typename VerticesOf>
@@ -71,7 +74,7 @@ FacetRings::FacetRings(
   // Sizes of rings become their beginnings, and these move to their ends as facets are added.
   forEachCorner([&](std::size_t vertex, std::uint32_t) { ++this->Offsets[vertex + 2]; });
   std::partial_sum(this->Offsets.begin(), this->Offsets.end(), this->Offsets.begin());
-  this->Facets.resize(this->Offsets.back());
+  ResizeOnHugePages(this->Facets, this->Offsets.back());
   forEachCorner([&](std::size_t vertex, std::uint32_t facet)
     { this->Facets[this->Offsets[vertex + 1]++] = facet; });
   this->Offsets.pop_back();

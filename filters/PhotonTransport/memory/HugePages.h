@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 namespace PhotonTransport
 {
@@ -13,10 +12,10 @@ namespace PhotonTransport
 /// or newer moves at once, older ones in time.
 void UseHugePages(const void* memory, std::size_t bytes);
 
-template <typename T>
-void UseHugePages(const std::vector<T>& array)
+template <typename Array>
+void UseHugePages(const Array& array)
 {
-  UseHugePages(array.data(), array.size() * sizeof(T));
+  UseHugePages(array.data(), array.size() * sizeof(*array.data()));
 }
 
 /// Asks for huge pages before memory is first used, which costs no copy. Where the system has none
@@ -24,11 +23,11 @@ void UseHugePages(const std::vector<T>& array)
 void ExpectHugePages(const void* memory, std::size_t bytes);
 
 /// Gives an empty array its final size, on huge pages as far as the system has some.
-template <typename T>
-void ResizeOnHugePages(std::vector<T>& array, std::size_t size)
+template <typename Array>
+void ResizeOnHugePages(Array& array, std::size_t size)
 {
   array.reserve(size);
-  ExpectHugePages(array.data(), size * sizeof(T));
+  ExpectHugePages(array.data(), size * sizeof(*array.data()));
   array.resize(size);
 }
 

@@ -26,7 +26,7 @@ using Leaf = FacetTree::Leaf;
 class Comparison
 {
 public:
-  Comparison(const std::vector<glm::vec3>& positions, const std::vector<Facet>& facets,
+  Comparison(const std::vector<glm::vec3>& positions, const LargeArray<Facet>& facets,
     const DataRounding& rounding, float planeCells)
     : Positions(positions)
     , Facets(facets)
@@ -175,7 +175,7 @@ private:
   }
 
   const std::vector<glm::vec3>& Positions;
-  const std::vector<Facet>& Facets;
+  const LargeArray<Facet>& Facets;
   const DataRounding& Rounding;
   float PlaneCells;
   FacetTree Tree;
@@ -185,7 +185,7 @@ private:
 } // namespace
 
 std::vector<std::uint8_t> FindCloseFacets(const std::vector<glm::vec3>& positions,
-  const std::vector<Facet>& facets, const DataRounding& rounding, float planeCells)
+  const LargeArray<Facet>& facets, const DataRounding& rounding, float planeCells)
 {
   return Comparison(positions, facets, rounding, planeCells).Run();
 }

@@ -31,6 +31,6 @@ enum CloseFacet : std::uint8_t
 /// Scene::MayHaveGap.
 /// @param planeCells See PlaneCellsPerUnit.
 std::vector<std::uint8_t> FindCloseFacets(const std::vector<glm::vec3>& positions,
-  const std::vector<Facet>& facets, const DataRounding& rounding, float planeCells);
+  const LargeArray<Facet>& facets, const DataRounding& rounding, float planeCells);
 
 } // namespace PhotonTransport

@@ -41,7 +41,7 @@ void CopyToBuffer(
 }
 
 void ShareBuffers(
-  RTCGeometry geometry, const std::vector<Vertex>& vertices, const std::vector<Facet>& facets)
+  RTCGeometry geometry, const LargeArray<Vertex>& vertices, const LargeArray<Facet>& facets)
 {
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
     vertices.data(), offsetof(Vertex, position), sizeof(Vertex), vertices.size());
@@ -51,8 +51,8 @@ void ShareBuffers(
 
 /// Embree gets copies, with the parts after the facets. A facet that has parts stays in the list
 /// without extent, so that the other facets keep their numbers.
-void CopyBuffersWithParts(RTCGeometry geometry, const std::vector<Vertex>& vertices,
-  const std::vector<Facet>& facets, const std::vector<FacetPart>& parts)
+void CopyBuffersWithParts(RTCGeometry geometry, const LargeArray<Vertex>& vertices,
+  const LargeArray<Facet>& facets, const std::vector<FacetPart>& parts)
 {
   std::vector<glm::vec3> points;
   points.reserve(vertices.size() + 3 * parts.size());
@@ -192,8 +192,8 @@ struct EmbreeScene::Implementation
   }
 };
 
-EmbreeScene::EmbreeScene(const std::vector<Vertex>& vertices, const std::vector<Facet>& facets,
-  std::vector<FacetPart> parts)
+EmbreeScene::EmbreeScene(
+  const LargeArray<Vertex>& vertices, const LargeArray<Facet>& facets, std::vector<FacetPart> parts)
   : Impl(MakeProcessPtr<Implementation>())
 {
   this->Impl->facets = facets.size();

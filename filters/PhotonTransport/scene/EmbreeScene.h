@@ -25,7 +25,7 @@ public:
   /// they are: they must outlive the hierarchy, unmoved.
   /// @param parts Of the facets that are traced in parts; hits on them are hits on their facet.
   /// Throws std::runtime_error with Embree's own words if the build fails.
-  EmbreeScene(const std::vector<Vertex>& vertices, const std::vector<Facet>& facets,
+  EmbreeScene(const LargeArray<Vertex>& vertices, const LargeArray<Facet>& facets,
     std::vector<FacetPart> parts = {});
   ~EmbreeScene();
   EmbreeScene(EmbreeScene&&) noexcept;

@@ -38,7 +38,7 @@ void Store(const Lanes& lanes, FacetTree::Four (&place)[FacetTree::Halves])
 }
 
 /// @param keys Of the leaf's facets.
-FacetTree::Leaf MakeLeaf(const std::vector<glm::vec3>& positions, const std::vector<Facet>& facets,
+FacetTree::Leaf MakeLeaf(const std::vector<glm::vec3>& positions, const LargeArray<Facet>& facets,
   const DataRounding& rounding, const std::uint64_t* keys, std::size_t count)
 {
   FacetTree::Leaf leaf;
@@ -99,10 +99,10 @@ float MarginOf(const std::array<glm::vec3, 3>& corners, const DataRounding& roun
   return std::max(static_cast<float>(MostExcess) * ((SheetGap + CornerGap) * reach + data), single);
 }
 
-FacetTree::FacetTree(const std::vector<glm::vec3>& positions, const std::vector<Facet>& facets,
+FacetTree::FacetTree(const std::vector<glm::vec3>& positions, const LargeArray<Facet>& facets,
   const DataRounding& rounding)
 {
-  const std::vector<std::uint64_t> keys = PlaceKeys(positions, facets);
+  const LargeArray<std::uint64_t> keys = PlaceKeys(positions, facets);
   ResizeOnHugePages(this->AllLeaves, (facets.size() + Width - 1) / Width);
   ForEach(this->AllLeaves.size(),
     [&](std::size_t leaf)

@@ -42,7 +42,7 @@ public:
   };
 
   /// @param positions Of vertices. @param rounding Of the data.
-  FacetTree(const std::vector<glm::vec3>& positions, const std::vector<Facet>& facets,
+  FacetTree(const std::vector<glm::vec3>& positions, const LargeArray<Facet>& facets,
     const DataRounding& rounding);
 
   std::size_t Leaves() const { return this->AllLeaves.size(); }
@@ -100,7 +100,7 @@ private:
   void AddLevels();
   Box Around(const Leaf& leaf) const;
 
-  std::vector<Leaf> AllLeaves;
+  LargeArray<Leaf> AllLeaves;
   std::vector<std::vector<Node>> Levels; ///< The first one has the boxes of leaves.
 };
 

@@ -30,7 +30,7 @@ bool IsFarForItsSize(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
 }
 
 std::vector<FacetPart> Parts(
-  const std::vector<Vertex>& vertices, const std::vector<Facet>& facets, float leastReach)
+  const LargeArray<Vertex>& vertices, const LargeArray<Facet>& facets, float leastReach)
 {
   const auto halves = [leastReach](const glm::vec3& a, const glm::vec3& b)
   {
@@ -67,7 +67,7 @@ std::vector<FacetPart> Parts(
 } // namespace
 
 std::vector<FacetPart> PartsOfLargeFacets(
-  const std::vector<Vertex>& vertices, const std::vector<Facet>& facets, float& leastReach)
+  const LargeArray<Vertex>& vertices, const LargeArray<Facet>& facets, float& leastReach)
 {
   std::vector<FacetPart> parts = Parts(vertices, facets, leastReach);
   const std::size_t most = MostParts(facets.size());

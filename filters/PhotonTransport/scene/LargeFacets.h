@@ -16,6 +16,6 @@ namespace PhotonTransport
 /// @param leastReach See Scene::Reach. Grows until the parts are some thousand, or an eighth of the
 /// facets, at most.
 std::vector<FacetPart> PartsOfLargeFacets(
-  const std::vector<Vertex>& vertices, const std::vector<Facet>& facets, float& leastReach);
+  const LargeArray<Vertex>& vertices, const LargeArray<Facet>& facets, float& leastReach);
 
 } // namespace PhotonTransport

@@ -22,7 +22,7 @@ class NearOverlaps
 {
 public:
   /// @param positions, facets Must outlive this.
-  NearOverlaps(const std::vector<glm::vec3>& positions, const std::vector<Facet>& facets)
+  NearOverlaps(const std::vector<glm::vec3>& positions, const LargeArray<Facet>& facets)
     : Positions(positions)
     , Facets(facets)
   {
@@ -50,7 +50,7 @@ private:
   }
 
   const std::vector<glm::vec3>& Positions;
-  const std::vector<Facet>& Facets;
+  const LargeArray<Facet>& Facets;
   std::vector<FacetOverlap> Overlaps;
   std::vector<std::uint32_t> First; ///< By point: the first point of those in its place.
   std::vector<std::uint8_t> Marks;  ///< By point: it belongs to a sheet in one place with others.

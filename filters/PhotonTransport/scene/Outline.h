@@ -27,7 +27,7 @@ class Outline
 public:
   /// @param numbers Of the points, see NumbersOfPlaces. @param facets Of which there are triangles.
   /// Both must outlive this.
-  Outline(const std::vector<std::uint64_t>& numbers, const std::vector<Facet>& facets)
+  Outline(const std::vector<std::uint64_t>& numbers, const LargeArray<Facet>& facets)
     : Numbers(numbers)
     , Facets(facets)
   {
@@ -41,7 +41,7 @@ private:
   void JoinPoints(const std::vector<PlaneTriangle>& triangles);
 
   const std::vector<std::uint64_t>& Numbers; ///< Of the points.
-  const std::vector<Facet>& Facets;
+  const LargeArray<Facet>& Facets;
   std::vector<std::uint64_t> Sums; ///< Of the points; all 0 between calls.
 };
 

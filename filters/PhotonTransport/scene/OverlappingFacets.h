@@ -34,7 +34,7 @@ struct FacetOverlap
 struct FacetPlaces
 {
   const std::vector<glm::vec3>& points;
-  const std::vector<Facet>& facets;
+  const LargeArray<Facet>& facets;
   const std::vector<FacetPlane>& planes;
   const std::vector<PlaneMember>& groups;
   const DataRounding& rounding;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/scene/PlaceKeys.h"
 
+#include "PhotonTransport/memory/HugePages.h"
 #include "PhotonTransport/threads/Threads.h"
 
 #include <glm/common.hpp>
@@ -46,7 +47,7 @@ constexpr std::size_t Digits = std::size_t{ 1 } << DigitBits;
 using Counts = std::array<std::size_t, Digits>;
 
 /// One pass of a radix sort: from one list into another, by the digit at `shift`.
-void SortByDigit(const std::vector<std::uint64_t>& from, std::vector<std::uint64_t>& to,
+void SortByDigit(const LargeArray<std::uint64_t>& from, LargeArray<std::uint64_t>& to,
   unsigned shift, std::vector<Counts>& counts)
 {
   const std::size_t chunk = (from.size() + counts.size() - 1) / counts.size();
@@ -85,12 +86,13 @@ void SortByDigit(const std::vector<std::uint64_t>& from, std::vector<std::uint64
 
 } // namespace
 
-void SortByUpperHalf(std::vector<std::uint64_t>& keys)
+void SortByUpperHalf(LargeArray<std::uint64_t>& keys)
 {
   constexpr std::size_t PerChunk = 65536;
   const std::size_t most = 4 * MostThreadIndices();
   std::vector<Counts> counts(std::clamp<std::size_t>(keys.size() / PerChunk, 1, most));
-  std::vector<std::uint64_t> other(keys.size());
+  LargeArray<std::uint64_t> other;
+  ResizeOnHugePages(other, keys.size());
   for (const unsigned shift : { 32u, 32u + DigitBits, 32u + 2 * DigitBits })
   {
     SortByDigit(keys, other, shift, counts);
@@ -98,10 +100,11 @@ void SortByUpperHalf(std::vector<std::uint64_t>& keys)
   }
 }
 
-std::vector<std::uint64_t> PlaceKeys(
-  const std::vector<glm::vec3>& positions, const std::vector<Facet>& facets)
+LargeArray<std::uint64_t> PlaceKeys(
+  const std::vector<glm::vec3>& positions, const LargeArray<Facet>& facets)
 {
-  std::vector<std::uint64_t> keys(facets.size());
+  LargeArray<std::uint64_t> keys;
+  ResizeOnHugePages(keys, facets.size());
   ForEach(keys.size(),
     [&](std::size_t f)
     {

@@ -13,8 +13,8 @@ namespace PhotonTransport
 
 /// The facets in an order in which neighbours are close together: by size in four classes, and
 /// along a space-filling curve. Each key has a facet's index in its lower half (IndexOfKey).
-std::vector<std::uint64_t> PlaceKeys(
-  const std::vector<glm::vec3>& positions, const std::vector<Facet>& facets);
+LargeArray<std::uint64_t> PlaceKeys(
+  const std::vector<glm::vec3>& positions, const LargeArray<Facet>& facets);
 
 inline std::uint32_t IndexOfKey(std::uint64_t key)
 {
@@ -22,6 +22,6 @@ inline std::uint32_t IndexOfKey(std::uint64_t key)
 }
 
 /// Sorts keys by their upper half; those that are equal there keep their order.
-void SortByUpperHalf(std::vector<std::uint64_t>& keys);
+void SortByUpperHalf(LargeArray<std::uint64_t>& keys);
 
 } // namespace PhotonTransport

@@ -140,7 +140,7 @@ void Scene::AddFacets(const Surface& surface, const PlacedPoints& points)
 {
   const std::size_t facets = surface.facets.size();
   ResizeOnHugePages(this->FacetRecords, facets);
-  this->FacetAreas.resize(facets);
+  ResizeOnHugePages(this->FacetAreas, facets);
   this->GivenFacets.resize(surface.given.origins.size());
   this->FacetMaterial = surface.materialOfFacet;
   this->FacetExitance = surface.exitance;

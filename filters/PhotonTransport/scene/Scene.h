@@ -104,10 +104,10 @@ public:
     __builtin_prefetch(&this->VertexRecords[vertex]);
   }
 
-  const std::vector<Facet>& Facets() const { return this->FacetRecords; }
+  const LargeArray<Facet>& Facets() const { return this->FacetRecords; }
   /// The vertices that light counts for come first. Those that a refinement added have no more than
   /// a position.
-  const std::vector<Vertex>& Vertices() const { return this->VertexRecords; }
+  const LargeArray<Vertex>& Vertices() const { return this->VertexRecords; }
   /// Vertices of the surface that the user gave: those of the map.
   std::size_t NumberOfMapVertices() const { return this->Areas.size(); }
   /// Facets of the surface that the user gave, without those that were left out.
@@ -148,7 +148,7 @@ public:
     return this->GivenFacets.empty() && this->Shared.empty() ? &this->Rings : nullptr;
   }
   /// Area vectors |a_f| n_f of the facets, scene units squared.
-  const std::vector<glm::vec3>& AreaVectors() const { return this->FacetAreas; }
+  const LargeArray<glm::vec3>& AreaVectors() const { return this->FacetAreas; }
   /// Surface::exitance of each facet. Of exact copies only the brightest one emits.
   const std::vector<Colour>& Exitance() const { return this->FacetExitance; }
   const std::vector<Material>& Materials() const { return this->FacetMaterials; }
@@ -223,16 +223,16 @@ private:
   DataRounding Rounding;
   double MetresPerUnit;
   float LeastReach = 0x1p-16f;
-  std::vector<Facet> FacetRecords;
+  LargeArray<Facet> FacetRecords;
   std::vector<GivenFacet> GivenFacets; ///< One a facet of a refined surface; else empty.
-  std::vector<glm::vec3> FacetAreas;
+  LargeArray<glm::vec3> FacetAreas;
   std::vector<Colour> FacetExitance;
   std::vector<Material> FacetMaterials;
   std::vector<std::uint32_t> FacetMaterial;
   FacetRings Rings; ///< Of the vertices of the map: the facets that count there.
   SceneNotes Found;
   std::vector<double> Areas;
-  std::vector<Vertex> VertexRecords;
+  LargeArray<Vertex> VertexRecords;
   std::vector<std::uint8_t> DoubleSheets; ///< By facet; empty if there are none.
   std::vector<std::uint8_t> Shared; ///< Bits of SharedPlace, by facet; empty if none shares one.
   /// By facet: how far those that it shares its place with are off its plane at most; or empty.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "PhotonTransport/memory/LargeArray.h"
 #include "PhotonTransport/refinement/FacetOrigin.h"
 
 #include <glm/vec3.hpp>
