@@ -161,15 +161,16 @@ void Scene::JoinNearOverlaps(NearOverlaps& near)
 /// @return What FindCloseFacets says.
 std::vector<std::uint8_t> Scene::FindSharedPlaces(const std::vector<glm::vec3>& positions)
 {
-  const auto having = [](std::vector<std::uint8_t> bits, std::uint8_t bit)
+  const auto having = [](const std::vector<std::uint8_t>& bits, std::uint8_t bit)
   {
-    std::uint8_t any = 0;
-    for (std::uint8_t& bitsOfFacet : bits)
+    const auto only = [bit](std::uint8_t of) { return static_cast<std::uint8_t>(of & bit); };
+    std::vector<std::uint8_t> some; // in nearly all scenes none
+    if (std::any_of(bits.begin(), bits.end(), only))
     {
-      bitsOfFacet &= bit;
-      any |= bitsOfFacet;
+      some.resize(bits.size());
+      std::transform(bits.begin(), bits.end(), some.begin(), only);
     }
-    return any != 0 ? bits : std::vector<std::uint8_t>();
+    return some;
   };
   const auto planeOf = [&](std::size_t f)
   {

@@ -19,9 +19,10 @@ HatMeans::HatMeans(const Scene& scene)
   }
   for (std::uint32_t f = 0; f < this->NumberOfFacets(); ++f)
   {
+    const double area = this->AreaOf(f);
     for (int corner = 0; corner < 3; ++corner)
     {
-      this->RingAreas[this->VerticesOf(f)[corner]] += this->AreaOf(f);
+      this->RingAreas[this->VerticesOf(f)[corner]] += area;
     }
   }
 }

@@ -36,6 +36,16 @@ std::optional<double> FactorOfAll(const LampFactors& factors)
   return same && first > 0.0 ? std::optional(first) : std::nullopt;
 }
 
+double FluxBy(const LampFactors& factors, const Emitter& source)
+{
+  double flux = 0.0;
+  for (std::size_t lamp = 0; lamp < factors.size(); ++lamp)
+  {
+    flux += factors[lamp] * source.Flux(lamp);
+  }
+  return flux;
+}
+
 } // namespace
 
 bool IlluminationRun::Relight(const Lighting& wanted)
@@ -55,12 +65,7 @@ bool IlluminationRun::Relight(const Lighting& wanted)
   {
     return true;
   }
-  double flux = 0.0;
-  for (std::size_t lamp = 0; lamp < relighting->factors.size(); ++lamp)
-  {
-    flux += relighting->factors[lamp] * this->Tracer.Source().Flux(lamp);
-  }
-  this->Tracer.RequireIlluminanceInRange(flux);
+  this->Tracer.RequireIlluminanceInRange(FluxBy(relighting->factors, this->Tracer.Source()));
   this->LightFactor = ofAll.value_or(1.0);
   this->Factors = ofAll ? LampFactors() : relighting->factors;
   this->HasOtherColours = !relighting->sameColours;
@@ -76,16 +81,7 @@ bool IlluminationRun::Relight(const Lighting& wanted)
 
 double IlluminationRun::Flux() const
 {
-  if (this->Factors.empty())
-  {
-    return this->Scale().flux;
-  }
-  double flux = 0.0;
-  for (std::size_t lamp = 0; lamp < this->Factors.size(); ++lamp)
-  {
-    flux += this->Factors[lamp] * this->Tracer.Source().Flux(lamp);
-  }
-  return flux;
+  return this->Factors.empty() ? this->Scale().flux : FluxBy(this->Factors, this->Tracer.Source());
 }
 
 /// By which light of each lamp counts in a channel, as an illuminance where white light has three
