@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -161,22 +162,24 @@ struct Squares
 Squares SquaresOf(const Scene& scene, const HatMeans& means, const std::vector<double>& changes,
   const std::vector<double>& noise, double unit, bool compensated)
 {
-  const auto factor = [&](std::size_t v) {
-    return compensated && !scene.Vertices()[v].IsFlat() ? OfCompensated * InTheMidst : InTheMidst;
+  // The own change, its square, and the square that noise gives.
+  const auto ofVertex = [&](std::size_t v)
+  {
+    const double factor =
+      compensated && !scene.Vertices()[v].IsFlat() ? OfCompensated * InTheMidst : InTheMidst;
+    const double own = factor * changes[v];
+    return glm::dvec3(own, Square(own), Square(factor * NoiseOfChange * (noise[v] / unit)));
   };
-  const auto own = [&](std::size_t v) { return factor(v) * changes[v]; };
-  const auto ownSquare = [&](std::size_t v) { return Square(own(v)); };
-  const auto noiseSquare = [&](std::size_t v)
-  { return Square(factor(v) * NoiseOfChange * (noise[v] / unit)); };
   Squares squares{ std::vector<double>(changes.size()), std::vector<double>(changes.size()) };
   ForEach(changes.size(),
     [&](std::size_t v)
     {
       const double border =
         1.0 + AtBorders / InTheMidst * OneSidedness(scene, means, static_cast<std::uint32_t>(v));
-      const double spread = std::max(0.0, means.At(v, ownSquare) - Square(means.At(v, own)));
-      squares.all[v] = Square(border) * ownSquare(v) + OfSpread * spread;
-      squares.noise[v] = Square(border) * noiseSquare(v) + OfSpread * means.At(v, noiseSquare);
+      const glm::dvec3 own = ofVertex(v), mean = means.At(v, ofVertex);
+      const double spread = std::max(0.0, mean.y - Square(mean.x));
+      squares.all[v] = Square(border) * own.y + OfSpread * spread;
+      squares.noise[v] = Square(border) * own.z + OfSpread * mean.z;
     });
   return squares;
 }

@@ -25,13 +25,13 @@ public:
 
   std::size_t Vertices() const { return this->RingAreas.size(); }
 
-  /// The hat mean at a vertex of valueOf(vertex) at all vertices. A vertex without a facet keeps
-  /// its value.
+  /// The hat mean at a vertex of valueOf(vertex) at all vertices, a number or a vector of some. A
+  /// vertex without a facet keeps its value.
   template <typename Function>
-  double At(std::size_t vertex, const Function& valueOf) const
+  auto At(std::size_t vertex, const Function& valueOf) const
   {
-    const double own = valueOf(vertex);
-    double sum = 0.0; // of facets' areas times the sums over their corners
+    const auto own = valueOf(vertex);
+    auto sum = 0.0 * own; // of facets' areas times the sums over their corners
     for (const std::uint32_t facet : this->Rings().Of(static_cast<std::uint32_t>(vertex)))
     {
       const glm::uvec3& ids = this->VerticesOf(facet);
