@@ -22,7 +22,7 @@ namespace
 
 struct Mesh
 {
-  std::vector<glm::vec3> positions;
+  LargeArray<glm::vec3> positions;
   LargeArray<Facet> facets;
 
   /// A facet of points of its own. @return Whether it has an area.

@@ -20,13 +20,11 @@ namespace PhotonTransport
 namespace
 {
 
-using Leaf = FacetTree::Leaf;
-
 /// Compares all facets with all that are near them.
 class Comparison
 {
 public:
-  Comparison(const std::vector<glm::vec3>& positions, const LargeArray<Facet>& facets,
+  Comparison(const LargeArray<glm::vec3>& positions, const LargeArray<Facet>& facets,
     const DataRounding& rounding, float planeCells)
     : Positions(positions)
     , Facets(facets)
@@ -40,50 +38,79 @@ public:
   std::vector<std::uint8_t> Run()
   {
     ForEach(
-      this->Tree.Leaves(), [&](std::size_t leaf) { this->CompareLeaf(leaf); }, 64);
+      this->Tree.Groups(), [&](std::size_t group) { this->CompareGroup(group); }, 8);
     return { this->Bits.begin(), this->Bits.end() };
   }
 
 private:
-  void CompareLeaf(std::size_t index)
+  void CompareGroup(std::size_t group)
   {
-    const Leaf& leaf = this->Tree.LeafAt(index);
-    std::array<OneFacet, FacetTree::Width> ones;
-    for (std::size_t i = 0; i < leaf.count; ++i)
+    const std::vector<std::size_t> near = this->Tree.GroupsNear(group);
+    const std::size_t begin = group * FacetLeaf::Width;
+    const std::size_t end = std::min(begin + FacetLeaf::Width, this->Tree.Leaves());
+    for (std::size_t index = begin; index < end; ++index)
     {
-      ones[i] = OneFacet(leaf, i);
-    }
-    const FacetTree::Box box = this->Tree.BoxOf(index);
-    const LeafBounds bounds(leaf);
-    std::array<std::int32_t, FacetTree::Width> meets;
-    this->Tree.ForEachFrom(index, box,
-      [&](std::size_t other)
+      const OneLeaf leaf(this->Tree, index);
+      for (const std::size_t other : near)
       {
-        const Leaf& otherLeaf = this->Tree.LeafAt(other);
-        const LeafBounds ofOthers(otherLeaf);
-        bounds.Meeting(this->Tree.BoxOf(other), meets);
-        for (std::size_t h = 0; h < FacetTree::Halves; ++h)
+        this->Tree.ForEachMeeting(
+          other, index, leaf.box, [&](std::size_t o) { this->CompareLeaves(leaf, o); });
+      }
+    }
+  }
+
+  /// A leaf, to be compared with others.
+  struct OneLeaf
+  {
+    OneLeaf(const FacetTree& tree, std::size_t leafIndex)
+      : index(leafIndex)
+      , leaf(tree.LeafAt(leafIndex))
+      , box(tree.BoxOf(leafIndex))
+      , bounds(this->leaf)
+    {
+      for (std::size_t i = 0; i < this->leaf.count; ++i)
+      {
+        this->ones[i] = OneFacet(this->leaf, this->bounds, i);
+      }
+    }
+
+    std::size_t index;
+    const FacetLeaf& leaf;
+    FacetBox box;
+    LeafBounds bounds;
+    std::array<OneFacet, FacetLeaf::Width> ones;
+  };
+
+  void CompareLeaves(const OneLeaf& one, std::size_t other)
+  {
+    std::array<std::int32_t, FacetLeaf::Width> meets;
+    if (!one.bounds.Meeting(this->Tree.BoxOf(other), meets))
+    {
+      return;
+    }
+    const FacetLeaf& leaf = this->Tree.LeafAt(other);
+    const LeafBounds bounds(leaf);
+    for (std::size_t h = 0; h < FacetLeaf::Halves; ++h)
+    {
+      const FourBits others = bounds.Meeting(one.box, h);
+      if (!Any(others))
+      {
+        continue;
+      }
+      for (std::size_t i = 0; i < one.leaf.count; ++i)
+      {
+        if (meets[i] != 0)
         {
-          const FourBits others = ofOthers.Meeting(box, h);
-          if (!Any(others))
-          {
-            continue;
-          }
-          for (std::size_t i = 0; i < leaf.count; ++i)
-          {
-            if (meets[i] != 0)
-            {
-              // Each pair once.
-              const FourBits wanted = other == index ? others & LanesAfter(i, h) : others;
-              this->CompareWith(ones[i], leaf.facets[i], otherLeaf, ofOthers, h, wanted);
-            }
-          }
+          // Each pair once.
+          const FourBits wanted = other == one.index ? others & LanesAfter(i, h) : others;
+          this->CompareWith(one.ones[i], one.leaf.facets[i], leaf, bounds, h, wanted);
         }
-      });
+      }
+    }
   }
 
   /// Compares a facet with those wanted of half a leaf.
-  void CompareWith(const OneFacet& one, std::uint32_t facet, const Leaf& leaf,
+  void CompareWith(const OneFacet& one, std::uint32_t facet, const FacetLeaf& leaf,
     const LeafBounds& bounds, std::size_t half, const FourBits& wanted)
   {
     const OneFacet::Neighbours found = one.NeighboursIn(leaf, bounds, half, wanted);
@@ -174,7 +201,7 @@ private:
       { this->Corner(facet, 0), this->Corner(facet, 1), this->Corner(facet, 2) }, this->Rounding);
   }
 
-  const std::vector<glm::vec3>& Positions;
+  const LargeArray<glm::vec3>& Positions;
   const LargeArray<Facet>& Facets;
   const DataRounding& Rounding;
   float PlaneCells;
@@ -184,7 +211,7 @@ private:
 
 } // namespace
 
-std::vector<std::uint8_t> FindCloseFacets(const std::vector<glm::vec3>& positions,
+std::vector<std::uint8_t> FindCloseFacets(const LargeArray<glm::vec3>& positions,
   const LargeArray<Facet>& facets, const DataRounding& rounding, float planeCells)
 {
   return Comparison(positions, facets, rounding, planeCells).Run();

@@ -30,7 +30,7 @@ enum CloseFacet : std::uint8_t
 /// more; nor is one that has another before its middle, of those that are wide enough, see
 /// Scene::MayHaveGap.
 /// @param planeCells See PlaneCellsPerUnit.
-std::vector<std::uint8_t> FindCloseFacets(const std::vector<glm::vec3>& positions,
+std::vector<std::uint8_t> FindCloseFacets(const LargeArray<glm::vec3>& positions,
   const LargeArray<Facet>& facets, const DataRounding& rounding, float planeCells);
 
 } // namespace PhotonTransport

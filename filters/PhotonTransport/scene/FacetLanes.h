@@ -2,7 +2,7 @@
 // Comparisons of one facet with four others at a time, for CloseFacets.cxx.
 #pragma once
 
-#include "PhotonTransport/scene/FacetTree.h"
+#include "PhotonTransport/scene/FacetLeaf.h"
 #include "PhotonTransport/scene/PlaneTriangle.h"
 
 #include <glm/common.hpp>
@@ -12,13 +12,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 namespace PhotonTransport
 {
 
-using Four = FacetTree::Four;
-using FourBits = std::int32_t __attribute__((vector_size(16)));
 /// A little less than SameSheet: how a cosine is rounded depends on the order of its terms. Pairs
 /// are looked at more closely.
 constexpr float AboutSameSheet = 0.9989f;
@@ -29,29 +26,6 @@ constexpr float HalfSliver = 0.5f * SliverWidth;
 /// So small facets, and those that are slivers themselves, are always looked at more closely.
 constexpr float Tiny = 0x1p-24f;
 
-inline Four Least(const Four& a, const Four& b)
-{
-  return a < b ? a : b;
-}
-
-inline Four Largest(const Four& a, const Four& b)
-{
-  return a < b ? b : a;
-}
-
-inline Four FourTimes(float number)
-{
-  return Four{ number, number, number, number };
-}
-
-inline bool Any(const FourBits& bits)
-{
-  std::uint64_t halves[2];
-  static_assert(sizeof halves == sizeof bits);
-  std::memcpy(halves, &bits, sizeof bits);
-  return (halves[0] | halves[1]) != 0;
-}
-
 /// The facets of half a leaf that come after one of the same leaf.
 inline FourBits LanesAfter(std::size_t facet, std::size_t half)
 {
@@ -60,56 +34,15 @@ inline FourBits LanesAfter(std::size_t facet, std::size_t half)
   return lanes > static_cast<std::int32_t>(facet);
 }
 
-/// The boxes of a leaf's facets, with margins.
-struct LeafBounds
-{
-  explicit LeafBounds(const FacetTree::Leaf& leaf)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      for (std::size_t h = 0; h < FacetTree::Halves; ++h)
-      {
-        const Four &a = leaf.corners[0][axis][h], &b = leaf.corners[1][axis][h],
-                   &c = leaf.corners[2][axis][h];
-        this->low[axis][h] = Least(a, Least(b, c)) - leaf.margin;
-        this->high[axis][h] = Largest(a, Largest(b, c)) + leaf.margin;
-      }
-    }
-  }
-
-  /// The facets of half a leaf whose boxes meet another one.
-  FourBits Meeting(const FacetTree::Box& box, std::size_t half) const
-  {
-    FourBits meeting = { -1, -1, -1, -1 };
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      meeting &= this->low[axis][half] <= box.high[axis];
-      meeting &= this->high[axis][half] >= box.low[axis];
-    }
-    return meeting;
-  }
-
-  /// For each facet whether its box meets another one.
-  void Meeting(const FacetTree::Box& box, std::array<std::int32_t, FacetTree::Width>& meets) const
-  {
-    for (std::size_t h = 0; h < FacetTree::Halves; ++h)
-    {
-      const FourBits half = this->Meeting(box, h);
-      std::memcpy(&meets[4 * h], &half, sizeof half);
-    }
-  }
-
-  Four low[3][FacetTree::Halves], high[3][FacetTree::Halves];
-};
-
 /// One facet of a leaf, to be compared with others four at a time.
 class OneFacet
 {
 public:
   OneFacet() = default;
-  OneFacet(const FacetTree::Leaf& leaf, std::size_t lane)
+  OneFacet(const FacetLeaf& leaf, const LeafBounds& bounds, std::size_t lane)
+    : Bounds(bounds.BoxOf(lane))
   {
-    const auto of = [&](const Four(&values)[FacetTree::Halves])
+    const auto of = [&](const Four(&values)[FacetLeaf::Halves])
     { return values[lane / 4][lane % 4]; };
     this->Normal = { of(leaf.normals[0]), of(leaf.normals[1]), of(leaf.normals[2]) };
     std::array<glm::vec3, 3> corners;
@@ -118,8 +51,6 @@ public:
       corners[c] = { of(leaf.corners[c][0]), of(leaf.corners[c][1]), of(leaf.corners[c][2]) };
     }
     const auto& [a, b, c] = corners;
-    this->Bounds = { glm::min(a, glm::min(b, c)) - leaf.margin,
-      glm::max(a, glm::max(b, c)) + leaf.margin };
     const glm::vec3 most = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
     this->Width = HalfSliver * std::max({ most.x, most.y, most.z });
     this->LookAlongAxis(corners);
@@ -136,8 +67,8 @@ public:
   };
 
   /// @param wanted Of these facets alone.
-  Neighbours NeighboursIn(const FacetTree::Leaf& leaf, const LeafBounds& bounds, std::size_t half,
-    const FourBits& wanted) const
+  Neighbours NeighboursIn(
+    const FacetLeaf& leaf, const LeafBounds& bounds, std::size_t half, const FourBits& wanted) const
   {
     const FourBits near = wanted & bounds.Meeting(this->Bounds, half);
     if (!Any(near))
@@ -187,30 +118,33 @@ private:
       this->AlongU[i] = FourTimes(alongU);
       this->AlongV[i] = FourTimes(alongV);
       const float length = std::max(std::fabs(alongU), std::fabs(alongV));
-      this->Inmost[i] = FourTimes(this->Width * length);
+      const float fromFirst = i == 1 ? twiceArea : 0.0f; // the others end at the first corner
+      this->Inmost[i] = FourTimes(this->Width * length - fromFirst);
       longest = std::max(longest, length);
     }
     this->IsSliver = longest < Tiny || twiceArea <= 4.0f * this->Width * longest;
   }
 
   /// Those that an edge of this one has on its outer side, up to half a sliver.
-  FourBits DividedByThis(const FacetTree::Leaf& leaf, std::size_t h) const
+  FourBits DividedByThis(const FacetLeaf& leaf, std::size_t h) const
   {
+    Four u[3], v[3]; // from the first corner
+    for (int c = 0; c < 3; ++c)
+    {
+      u[c] = leaf.corners[c][this->AxisU][h] - this->U[0];
+      v[c] = leaf.corners[c][this->AxisV][h] - this->V[0];
+    }
     FourBits divided{};
     for (int i = 0; i < 3; ++i)
     {
-      const auto side = [&](int c)
-      {
-        return this->AlongU[i] * (leaf.corners[c][this->AxisV][h] - this->V[i]) -
-          this->AlongV[i] * (leaf.corners[c][this->AxisU][h] - this->U[i]);
-      };
+      const auto side = [&](int c) { return this->AlongU[i] * v[c] - this->AlongV[i] * u[c]; };
       divided |= Largest(side(0), Largest(side(1), side(2))) <= this->Inmost[i];
     }
     return divided;
   }
 
   /// Those that have this one on the outer side of an edge.
-  FourBits DividedByOthers(const FacetTree::Leaf& leaf, std::size_t h) const
+  FourBits DividedByOthers(const FacetLeaf& leaf, std::size_t h) const
   {
     const auto along = [&](int axis, int from, int to)
     { return leaf.corners[to][axis][h] - leaf.corners[from][axis][h]; };
@@ -232,7 +166,7 @@ private:
   }
 
   glm::vec3 Normal;
-  FacetTree::Box Bounds;                 ///< With margins.
+  FacetBox Bounds;                       ///< With margins.
   Four U[3], V[3], AlongU[3], AlongV[3]; ///< Each number four times.
   float Width;                           ///< Half of the sliver that neighbours may have in common.
   Four Inmost[3]; ///< What is no farther inside an edge, times its length, is outside.

@@ -2,6 +2,7 @@
 #include "PhotonTransport/scene/FacetTree.h"
 
 #include "PhotonTransport/memory/HugePages.h"
+#include "PhotonTransport/scene/FacetLeaf.h"
 #include "PhotonTransport/scene/OverlappingFacets.h"
 #include "PhotonTransport/scene/PlaceKeys.h"
 #include "PhotonTransport/scene/Ray.h"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 
 namespace PhotonTransport
 {
@@ -24,28 +24,67 @@ namespace
 constexpr float FarOff = 0x1p100f;
 
 std::array<glm::vec3, 3> CornersOf(
-  const std::vector<glm::vec3>& positions, const glm::uvec3& vertices)
+  const LargeArray<glm::vec3>& positions, const glm::uvec3& vertices)
 {
   return { positions[vertices.x], positions[vertices.y], positions[vertices.z] };
 }
 
-using Lanes = std::array<float, FacetTree::Width>;
+/// See MarginOf.
+class Margin
+{
+public:
+  explicit Margin(const DataRounding& rounding)
+    : Rounding(rounding)
+  {
+  }
 
-void Store(const Lanes& lanes, FacetTree::Four (&place)[FacetTree::Halves])
+  /// The margin becomes no less than that of a facet.
+  void Include(const std::array<glm::vec3, 3>& corners)
+  {
+    for (const glm::vec3& corner : corners)
+    {
+      this->Most = glm::max(this->Most, glm::abs(corner));
+      if (this->Rounding.relative > 0.0)
+      {
+        this->Farthest =
+          std::max(this->Farthest, glm::length(glm::dvec3(corner) - this->Rounding.origin));
+      }
+    }
+  }
+
+  float Value() const
+  {
+    const float reach = std::max({ this->Most.x, this->Most.y, this->Most.z });
+    const auto data = static_cast<float>(this->Rounding.relative * this->Farthest);
+    const float single = static_cast<float>(2.0 * SingleHalfUnit) *
+      static_cast<float>(glm::length(this->Rounding.origin) + 2.0);
+    return std::max(
+      static_cast<float>(MostExcess) * ((SheetGap + CornerGap) * reach + data), single);
+  }
+
+private:
+  const DataRounding& Rounding;
+  glm::vec3 Most{ 0.0f }; ///< Largest coordinates.
+  double Farthest = 0.0;  ///< From the data's origin.
+};
+
+using Lanes = std::array<float, FacetLeaf::Width>;
+
+void Store(const Lanes& lanes, Four (&place)[FacetLeaf::Halves])
 {
   static_assert(sizeof place == sizeof lanes);
   std::memcpy(place, lanes.data(), sizeof lanes);
 }
 
 /// @param keys Of the leaf's facets.
-FacetTree::Leaf MakeLeaf(const std::vector<glm::vec3>& positions, const LargeArray<Facet>& facets,
+FacetLeaf MakeLeaf(const LargeArray<glm::vec3>& positions, const LargeArray<Facet>& facets,
   const DataRounding& rounding, const std::uint64_t* keys, std::size_t count)
 {
-  FacetTree::Leaf leaf;
+  FacetLeaf leaf;
   Lanes corners[3][3], normals[3];
   leaf.count = count;
-  leaf.margin = 0.0f;
-  for (std::size_t i = 0; i < FacetTree::Width; ++i)
+  Margin margin(rounding);
+  for (std::size_t i = 0; i < FacetLeaf::Width; ++i)
   {
     leaf.facets[i] = NoFacet;
     std::array<glm::vec3, 3> places{ glm::vec3(FarOff), glm::vec3(FarOff), glm::vec3(FarOff) };
@@ -56,7 +95,7 @@ FacetTree::Leaf MakeLeaf(const std::vector<glm::vec3>& positions, const LargeArr
       const Facet& facet = facets[leaf.facets[i]];
       places = CornersOf(positions, facet.vertices);
       normal = facet.normal;
-      leaf.margin = std::max(leaf.margin, MarginOf(places, rounding));
+      margin.Include(places);
     }
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -67,6 +106,7 @@ FacetTree::Leaf MakeLeaf(const std::vector<glm::vec3>& positions, const LargeArr
       }
     }
   }
+  leaf.margin = margin.Value();
   for (int axis = 0; axis < 3; ++axis)
   {
     Store(normals[axis], leaf.normals[axis]);
@@ -82,24 +122,12 @@ FacetTree::Leaf MakeLeaf(const std::vector<glm::vec3>& positions, const LargeArr
 
 float MarginOf(const std::array<glm::vec3, 3>& corners, const DataRounding& rounding)
 {
-  glm::vec3 most(0.0f);
-  double farthest = 0.0;
-  for (const glm::vec3& corner : corners)
-  {
-    most = glm::max(most, glm::abs(corner));
-    if (rounding.relative > 0.0)
-    {
-      farthest = std::max(farthest, glm::length(glm::dvec3(corner) - rounding.origin));
-    }
-  }
-  const float reach = std::max({ most.x, most.y, most.z });
-  const auto data = static_cast<float>(rounding.relative * farthest);
-  const float single = static_cast<float>(2.0 * SingleHalfUnit) *
-    static_cast<float>(glm::length(rounding.origin) + 2.0);
-  return std::max(static_cast<float>(MostExcess) * ((SheetGap + CornerGap) * reach + data), single);
+  Margin margin(rounding);
+  margin.Include(corners);
+  return margin.Value();
 }
 
-FacetTree::FacetTree(const std::vector<glm::vec3>& positions, const LargeArray<Facet>& facets,
+FacetTree::FacetTree(const LargeArray<glm::vec3>& positions, const LargeArray<Facet>& facets,
   const DataRounding& rounding)
 {
   const LargeArray<std::uint64_t> keys = PlaceKeys(positions, facets);
@@ -114,35 +142,32 @@ FacetTree::FacetTree(const std::vector<glm::vec3>& positions, const LargeArray<F
   this->AddLevels();
 }
 
-FacetTree::Box FacetTree::Around(const Leaf& leaf) const
+FacetBox FacetTree::Around(const FacetLeaf& leaf)
 {
-  Box box;
+  const LeafBounds bounds(leaf);
+  FacetBox box;
   for (int axis = 0; axis < 3; ++axis)
   {
-    float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
+    float low = FarOff, high = -FarOff;
     for (std::size_t i = 0; i < leaf.count; ++i)
     {
-      for (const auto& corner : leaf.corners)
-      {
-        low = std::min(low, corner[axis][i / 4][i % 4]);
-        high = std::max(high, corner[axis][i / 4][i % 4]);
-      }
+      low = std::min(low, bounds.low[axis][i / 4][i % 4]);
+      high = std::max(high, bounds.high[axis][i / 4][i % 4]);
     }
-    box.low[axis] = low - leaf.margin;
-    box.high[axis] = high + leaf.margin;
+    box.low[axis] = low;
+    box.high[axis] = high;
   }
   return box;
 }
 
 void FacetTree::AddLevels()
 {
-  std::vector<Box> boxes(this->AllLeaves.size());
-  ForEach(
-    boxes.size(), [&](std::size_t leaf) { boxes[leaf] = this->Around(this->AllLeaves[leaf]); });
+  std::vector<FacetBox> boxes(this->AllLeaves.size());
+  ForEach(boxes.size(), [&](std::size_t leaf) { boxes[leaf] = Around(this->AllLeaves[leaf]); });
   do
   {
     std::vector<Node> nodes((boxes.size() + Width - 1) / Width);
-    std::vector<Box> around(nodes.size());
+    std::vector<FacetBox> around(nodes.size());
     ForEach(nodes.size(),
       [&](std::size_t n)
       {
@@ -151,8 +176,8 @@ void FacetTree::AddLevels()
         for (std::size_t i = 0; i < Width; ++i)
         {
           const std::size_t child = Width * n + i;
-          const Box box =
-            child < boxes.size() ? boxes[child] : Box{ glm::vec3(FarOff), glm::vec3(-FarOff) };
+          const FacetBox box =
+            child < boxes.size() ? boxes[child] : FacetBox{ glm::vec3(FarOff), glm::vec3(-FarOff) };
           around[n].low = glm::min(around[n].low, box.low);
           around[n].high = glm::max(around[n].high, box.high);
           for (int axis = 0; axis < 3; ++axis)
@@ -170,19 +195,6 @@ void FacetTree::AddLevels()
     this->Levels.push_back(std::move(nodes));
     boxes = std::move(around);
   } while (boxes.size() > 1);
-}
-
-void FacetTree::Meeting(const Node& node, const Box& box, std::array<std::int32_t, Width>& meets)
-{
-  for (std::size_t h = 0; h < Halves; ++h)
-  {
-    const auto apart = (node.low[0][h] > box.high.x) | (node.high[0][h] < box.low.x) |
-      (node.low[1][h] > box.high.y) | (node.high[1][h] < box.low.y) |
-      (node.low[2][h] > box.high.z) | (node.high[2][h] < box.low.z);
-    const auto together = ~apart;
-    static_assert(sizeof together == 4 * sizeof(std::int32_t));
-    std::memcpy(&meets[4 * h], &together, sizeof together);
-  }
 }
 
 } // namespace PhotonTransport

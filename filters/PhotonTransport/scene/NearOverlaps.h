@@ -22,7 +22,7 @@ class NearOverlaps
 {
 public:
   /// @param positions, facets Must outlive this.
-  NearOverlaps(const std::vector<glm::vec3>& positions, const LargeArray<Facet>& facets)
+  NearOverlaps(const LargeArray<glm::vec3>& positions, const LargeArray<Facet>& facets)
     : Positions(positions)
     , Facets(facets)
   {
@@ -49,7 +49,7 @@ private:
     return this->IsMarked(overlap.first) && this->IsMarked(overlap.second);
   }
 
-  const std::vector<glm::vec3>& Positions;
+  const LargeArray<glm::vec3>& Positions;
   const LargeArray<Facet>& Facets;
   std::vector<FacetOverlap> Overlaps;
   std::vector<std::uint32_t> First; ///< By point: the first point of those in its place.

@@ -31,7 +31,7 @@ std::uint64_t NumberOf(const glm::vec3& point)
 
 } // namespace
 
-std::vector<std::uint64_t> NumbersOfPlaces(const std::vector<glm::vec3>& points)
+std::vector<std::uint64_t> NumbersOfPlaces(const LargeArray<glm::vec3>& points)
 {
   std::vector<std::uint64_t> numbers(points.size());
   ForEach(points.size(), [&](std::size_t p) { numbers[p] = NumberOf(points[p]); });

@@ -13,7 +13,7 @@ namespace PhotonTransport
 {
 
 /// A number for each place, the same for points in the same place. Sums of them are different.
-std::vector<std::uint64_t> NumbersOfPlaces(const std::vector<glm::vec3>& points);
+std::vector<std::uint64_t> NumbersOfPlaces(const LargeArray<glm::vec3>& points);
 
 /// Finds which facets lie at the outline of what they cover. The facets are in one plane and face
 /// about the same way.

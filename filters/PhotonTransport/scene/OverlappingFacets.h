@@ -33,7 +33,7 @@ struct FacetOverlap
 /// The facets' corners, and their planes with the groups of these.
 struct FacetPlaces
 {
-  const std::vector<glm::vec3>& points;
+  const LargeArray<glm::vec3>& points;
   const LargeArray<Facet>& facets;
   const std::vector<FacetPlane>& planes;
   const std::vector<PlaneMember>& groups;

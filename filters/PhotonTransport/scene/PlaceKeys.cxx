@@ -101,7 +101,7 @@ void SortByUpperHalf(LargeArray<std::uint64_t>& keys)
 }
 
 LargeArray<std::uint64_t> PlaceKeys(
-  const std::vector<glm::vec3>& positions, const LargeArray<Facet>& facets)
+  const LargeArray<glm::vec3>& positions, const LargeArray<Facet>& facets)
 {
   LargeArray<std::uint64_t> keys;
   ResizeOnHugePages(keys, facets.size());

@@ -14,7 +14,7 @@ namespace PhotonTransport
 /// The facets in an order in which neighbours are close together: by size in four classes, and
 /// along a space-filling curve. Each key has a facet's index in its lower half (IndexOfKey).
 LargeArray<std::uint64_t> PlaceKeys(
-  const std::vector<glm::vec3>& positions, const LargeArray<Facet>& facets);
+  const LargeArray<glm::vec3>& positions, const LargeArray<Facet>& facets);
 
 inline std::uint32_t IndexOfKey(std::uint64_t key)
 {

@@ -26,7 +26,7 @@ namespace
 constexpr double LeastArea = std::numeric_limits<float>::min();
 
 /// Those of points that no facet uses, which may be anywhere, are 0.
-std::vector<glm::vec3> ScenePositions(const Surface& surface, const Placement& placement)
+LargeArray<glm::vec3> ScenePositions(const Surface& surface, const Placement& placement)
 {
   std::vector<std::atomic<std::uint8_t>> used(surface.points.size());
   ForEach(surface.facets.size(),
@@ -37,21 +37,23 @@ std::vector<glm::vec3> ScenePositions(const Surface& surface, const Placement& p
         used[surface.facets[f][corner]].store(1, std::memory_order_relaxed);
       }
     });
-  std::vector<glm::vec3> positions(surface.points.size(), glm::vec3(0.0f));
+
+  LargeArray<glm::vec3> positions;
+  ResizeOnHugePages(positions, surface.points.size());
   ForEach(positions.size(),
     [&](std::size_t p)
     {
-      if (used[p].load(std::memory_order_relaxed) != 0)
-      {
-        positions[p] = glm::vec3(placement.PointToScene(surface.points[p]));
-      }
+      positions[p] = used[p].load(std::memory_order_relaxed) != 0
+        ? glm::vec3(placement.PointToScene(surface.points[p]))
+        : glm::vec3(0.0f);
     });
   return positions;
 }
 
-std::vector<glm::dvec3> UsableNormals(const Surface& surface)
+LargeArray<glm::dvec3> UsableNormals(const Surface& surface)
 {
-  std::vector<glm::dvec3> normals(surface.normals.size());
+  LargeArray<glm::dvec3> normals;
+  ResizeOnHugePages(normals, surface.normals.size());
   ForEach(normals.size(), [&](std::size_t p) { normals[p] = UsableNormal(surface.normals[p]); });
   return normals;
 }
@@ -103,6 +105,7 @@ Scene::Scene(const Surface& surface)
     close = this->FindSharedPlaces(points.positions);
     this->AddVertices(surface, points);
   }
+
   UseHugePages(this->FacetRecords);
   UseHugePages(this->VertexRecords);
   this->BuildBvh();

@@ -28,6 +28,7 @@ struct FacetOverlap;
 struct FacetPlane;
 class NearOverlaps;
 struct PlaneMember;
+struct RingPart;
 
 /// The validated, immutable scene: geometry in [-1, 1], per-facet and per-vertex records, BVH.
 class Scene
@@ -195,11 +196,11 @@ private:
   FacetRings RingsThatCount(std::size_t vertices) const;
   float ShareOfCorner(std::uint32_t facet, int corner) const;
   glm::vec3 SharedArea(std::uint32_t facet, std::uint32_t vertex) const;
-  std::uint8_t MakeVertex(std::uint32_t vertex, const std::vector<glm::vec3>& ring,
+  std::uint8_t MakeVertex(std::uint32_t vertex, const std::vector<RingPart>& ring,
     const glm::dvec3& givenNormal, const glm::vec3& position);
   void NoteVertices(const std::vector<std::uint8_t>& found);
-  std::vector<std::uint8_t> FindSharedPlaces(const std::vector<glm::vec3>& positions);
-  void FindOverlaps(const std::vector<glm::vec3>& positions, const std::vector<FacetPlane>& planes,
+  std::vector<std::uint8_t> FindSharedPlaces(const LargeArray<glm::vec3>& positions);
+  void FindOverlaps(const LargeArray<glm::vec3>& positions, const std::vector<FacetPlane>& planes,
     const std::vector<PlaneMember>& groups);
   void FinishNotesOnSharedPlaces();
   void MarkSharedPlace(const FacetOverlap& overlap);

@@ -27,8 +27,8 @@ constexpr float EdgeClearance = 4.0f;
 /// The points of a surface, on the way to the scene's records.
 struct PlacedPoints
 {
-  std::vector<glm::vec3> positions; ///< In scene units.
-  std::vector<glm::dvec3> normals;  ///< See UsableNormal.
+  LargeArray<glm::vec3> positions; ///< In scene units.
+  LargeArray<glm::dvec3> normals;  ///< See UsableNormal.
 };
 
 /// What the walk needs of a facet, in one half of a cache line.

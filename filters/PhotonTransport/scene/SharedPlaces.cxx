@@ -159,7 +159,7 @@ void Scene::JoinNearOverlaps(NearOverlaps& near)
 }
 
 /// @return What FindCloseFacets says.
-std::vector<std::uint8_t> Scene::FindSharedPlaces(const std::vector<glm::vec3>& positions)
+std::vector<std::uint8_t> Scene::FindSharedPlaces(const LargeArray<glm::vec3>& positions)
 {
   const auto having = [](const std::vector<std::uint8_t>& bits, std::uint8_t bit)
   {
@@ -195,7 +195,7 @@ std::vector<std::uint8_t> Scene::FindSharedPlaces(const std::vector<glm::vec3>& 
   return close;
 }
 
-void Scene::FindOverlaps(const std::vector<glm::vec3>& positions,
+void Scene::FindOverlaps(const LargeArray<glm::vec3>& positions,
   const std::vector<FacetPlane>& planes, const std::vector<PlaneMember>& groups)
 {
   NearOverlaps near(positions, this->FacetRecords);

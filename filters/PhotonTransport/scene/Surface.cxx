@@ -5,6 +5,7 @@
 #include "PhotonTransport/materials/Scattering.h"
 #include "PhotonTransport/materials/ValueText.h"
 #include "PhotonTransport/scene/InvalidInput.h"
+#include "PhotonTransport/threads/Threads.h"
 
 #include <cmath>
 #include <limits>
@@ -90,6 +91,25 @@ void ValidateExitance(const Surface& surface, std::size_t f)
   }
 }
 
+void ValidateFacet(const Surface& surface, std::size_t f, const std::vector<std::string>& problems)
+{
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const unsigned p = surface.facets[f][corner];
+    if (p >= surface.points.size())
+    {
+      Refuse(Where::Facet, f, "it uses point ", p, " of ", surface.points.size());
+    }
+    const glm::dvec3& x = surface.points[p];
+    if (!std::isfinite(x.x) || !std::isfinite(x.y) || !std::isfinite(x.z))
+    {
+      Refuse(Where::Point, p, "its coordinates (", x.x, ", ", x.y, ", ", x.z, ") are not finite");
+    }
+  }
+  ValidateMaterial(surface, f, problems);
+  ValidateExitance(surface, f);
+}
+
 } // namespace
 
 void Validate(const Surface& surface)
@@ -101,23 +121,17 @@ void Validate(const Surface& surface)
   {
     problems.push_back(ProblemOf(material));
   }
-  for (std::size_t f = 0; f < surface.facets.size(); ++f)
+  const auto validate = [&](std::size_t f) { ValidateFacet(surface, f, problems); };
+  try
   {
-    for (int corner = 0; corner < 3; ++corner)
+    ForEach(surface.facets.size(), validate);
+  }
+  catch (const InvalidInput&)
+  {
+    for (std::size_t f = 0; f < surface.facets.size(); ++f)
     {
-      const unsigned p = surface.facets[f][corner];
-      if (p >= surface.points.size())
-      {
-        Refuse(Where::Facet, f, "it uses point ", p, " of ", surface.points.size());
-      }
-      const glm::dvec3& x = surface.points[p];
-      if (!std::isfinite(x.x) || !std::isfinite(x.y) || !std::isfinite(x.z))
-      {
-        Refuse(Where::Point, p, "its coordinates (", x.x, ", ", x.y, ", ", x.z, ") are not finite");
-      }
+      validate(f); // throws for the first one in the list, whatever the threads
     }
-    ValidateMaterial(surface, f, problems);
-    ValidateExitance(surface, f);
   }
   // Triangles' materials have been named by now.
   for (std::size_t m = 0; m < problems.size(); ++m)

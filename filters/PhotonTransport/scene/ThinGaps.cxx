@@ -229,12 +229,14 @@ void Add(ThinGaps& found, const ThinGaps& later)
 /// Whether something may lie before the middle of a facet, nearer than rays start there, or whether
 /// the facet may be too small for that to be found out.
 ///
-/// All that a ray may meet that looks back at the middle from an offset away has its box within the
-/// margins of FindCloseFacets, which are 36 offsets or more, unless the offset is enlarged next to
-/// the origin or between sheets. What lies beyond an edge of the facet, or has the facet beyond an
-/// edge of its own, reaches over it by 2 offsets at most (HalfSliver), seen along an axis. The
-/// middle is a third of a height from the edges, at least 6 offsets as seen along the axis if a
-/// height is 32 offsets, and the ray moves by less than one across the axis.
+/// A ray that looks back at the middle from an offset away stays in the facet's box of
+/// FindCloseFacets: along the larger components of the normal its margins are 36 offsets or more,
+/// unless the offset is enlarged next to the origin or between sheets, and along the others the
+/// facet itself reaches 9 offsets or more from the middle if a height is 32 offsets. So the boxes
+/// of all that the ray may meet meet that of the facet. What lies beyond an edge of the facet, or
+/// has the facet beyond an edge of its own, reaches over it by 2 offsets at most (HalfSliver), seen
+/// along an axis. The middle is a third of a height from the edges, at least 6 offsets as seen
+/// along the axis, and the ray moves by less than one across the axis.
 bool Scene::MayHaveGap(std::uint32_t facet, const std::vector<std::uint8_t>& close) const
 {
   constexpr float WideEnough = EdgeClearance / 32.0f;

@@ -11,6 +11,19 @@
 
 namespace PhotonTransport
 {
+
+/// What a facet has in the hat function of a vertex.
+struct RingPart
+{
+  explicit RingPart(const glm::vec3& vector)
+    : areaVector(vector)
+    , area(glm::length(this->areaVector))
+  {
+  }
+  glm::dvec3 areaVector;
+  double area;
+};
+
 namespace
 {
 
@@ -33,17 +46,14 @@ enum FoundAtVertex : std::uint8_t
 
 /// Why a given normal does not tell a front, so that the normal of the ring's fronts takes its
 /// place; 0 if it does.
-std::uint8_t WhyNotUsable(const glm::dvec3& givenNormal, const std::vector<glm::vec3>& ring)
+std::uint8_t WhyNotUsable(const glm::dvec3& givenNormal, const std::vector<RingPart>& ring)
 {
   if (givenNormal == glm::dvec3(0.0))
   {
     return NoNormal;
   }
-  const auto isInPlane = [&](const glm::vec3& part)
-  {
-    const glm::dvec3 area(part);
-    return std::fabs(glm::dot(givenNormal, area)) <= InPlane * glm::length(area);
-  };
+  const auto isInPlane = [&](const RingPart& part)
+  { return std::fabs(glm::dot(givenNormal, part.areaVector)) <= InPlane * part.area; };
   return std::all_of(ring.begin(), ring.end(), isInPlane) ? NormalInPlane : 0;
 }
 
@@ -95,7 +105,7 @@ glm::vec3 Scene::SharedArea(std::uint32_t facet, std::uint32_t vertex) const
 
 void Scene::AddVertices(const Surface& surface, const PlacedPoints& points)
 {
-  const std::vector<glm::vec3>& positions = points.positions;
+  const LargeArray<glm::vec3>& positions = points.positions;
   const std::size_t onMap = surface.IsRefined() ? surface.given.points : positions.size();
   this->Rings = this->RingsThatCount(onMap);
   ResizeOnHugePages(this->VertexRecords, positions.size());
@@ -105,7 +115,7 @@ void Scene::AddVertices(const Surface& surface, const PlacedPoints& points)
     0, positions.size(),
     [&](std::uint64_t begin, std::uint64_t end)
     {
-      std::vector<glm::vec3> ring;
+      std::vector<RingPart> ring;
       for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v)
       {
         if (v >= onMap)
@@ -114,7 +124,7 @@ void Scene::AddVertices(const Surface& surface, const PlacedPoints& points)
           continue;
         }
         ring.clear();
-        this->ForEachAreaAround(v, [&](const glm::vec3& area) { ring.push_back(area); });
+        this->ForEachAreaAround(v, [&](const glm::vec3& area) { ring.emplace_back(area); });
         found[v] = this->MakeVertex(v, ring, points.normals[v], positions[v]);
       }
     },
@@ -123,15 +133,15 @@ void Scene::AddVertices(const Surface& surface, const PlacedPoints& points)
 }
 
 /// @return What is to be noted of it, as FoundAtVertex.
-std::uint8_t Scene::MakeVertex(std::uint32_t vertex, const std::vector<glm::vec3>& ring,
+std::uint8_t Scene::MakeVertex(std::uint32_t vertex, const std::vector<RingPart>& ring,
   const glm::dvec3& givenNormal, const glm::vec3& position)
 {
   glm::dvec3 areaVectors(0.0);
   double areas = 0.0;
-  for (const glm::vec3& area : ring)
+  for (const RingPart& part : ring)
   {
-    areaVectors += glm::dvec3(area);
-    areas += glm::length(glm::dvec3(area));
+    areaVectors += part.areaVector;
+    areas += part.area;
   }
   this->Areas[vertex] = areas / 3.0 * this->SquareMetresPerSceneArea();
   if (!(areas > 0.0))
@@ -144,9 +154,9 @@ std::uint8_t Scene::MakeVertex(std::uint32_t vertex, const std::vector<glm::vec3
   const glm::dvec3 normal =
     replaced == 0 ? givenNormal : PhotonTransport::UsableNormal(areaVectors);
   double leastCosine = 1.0;
-  for (const glm::vec3& area : ring)
+  for (const RingPart& part : ring)
   {
-    leastCosine = std::min(leastCosine, glm::dot(normal, glm::normalize(glm::dvec3(area))));
+    leastCosine = std::min(leastCosine, glm::dot(normal, part.areaVector) / part.area);
   }
   const double sinTilt =
     leastCosine > 0.0 ? std::sqrt(std::max(0.0, 1.0 - leastCosine * leastCosine)) : 2.0;
