@@ -35,11 +35,11 @@ struct FacetLeaf
 ///
 /// A facet that overlaps another one, or is the other side of a wall, has more than a sliver in
 /// common with it as seen along the largest component of its normal, so their boxes overlap in both
-/// other directions (Meet, or the boxes are the same). They may be apart along that component alone.
-/// It is at least 0.54 for both facets, since they face the same or the opposite way up to SameSheet
-/// and one of three components of a unit vector is at least 0.57. So boxes have a margin only along
-/// components of half and more, and boxes that touch do not meet: in a wall along two axes
-/// neighbours are told apart by that.
+/// other directions (Meet, or the boxes are the same). They may be apart along that component
+/// alone. It is at least 0.54 for both facets, since they face the same or the opposite way up to
+/// SameSheet and one of three components of a unit vector is at least 0.57. So boxes have a margin
+/// only along components of half and more, and boxes that touch do not meet: in a wall along two
+/// axes neighbours are told apart by that.
 struct LeafBounds
 {
   explicit LeafBounds(const FacetLeaf& leaf)
