@@ -4,6 +4,7 @@
 #include "Shapes.h"
 
 #include "PhotonTransport/scene/CloseFacets.h"
+#include "PhotonTransport/scene/OverlappingFacets.h"
 #include "PhotonTransport/scene/PlaceKeys.h"
 #include "PhotonTransport/scene/PlaneTriangle.h"
 #include "PhotonTransport/scene/SharedPlanes.h"
@@ -13,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <random>
 
 using namespace PhotonTransport;
@@ -91,6 +93,31 @@ bool Contains(const Mesh& mesh, std::uint32_t facet, const glm::dvec3& point)
   return inside;
 }
 
+/// How far a facet is in front of a point, along an axis.
+double HeightOver(const Mesh& mesh, std::uint32_t facet, const glm::dvec3& point, int axis)
+{
+  const glm::dvec3 a(mesh.positions[3 * facet]), b(mesh.positions[3 * facet + 1]),
+    c(mesh.positions[3 * facet + 2]);
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  return glm::dot(a - point, normal) / normal[axis];
+}
+
+/// How far two facets are apart where they have a part in common, at most, seen along an axis.
+double Apart(const Mesh& mesh, const PlaneTriangle& one, const PlaneTriangle& other, int axis)
+{
+  double apart = 0.0;
+  for (const glm::dvec2& corner : Intersection(one, other).corners)
+  {
+    glm::dvec3 point(0.0);
+    point[(axis + 1) % 3] = corner.x;
+    point[(axis + 2) % 3] = corner.y;
+    apart = std::max(apart,
+      std::fabs(
+        HeightOver(mesh, one.facet, point, axis) - HeightOver(mesh, other.facet, point, axis)));
+  }
+  return apart;
+}
+
 } // namespace
 
 TEST(CloseFacets, NoneIsMissing)
@@ -121,6 +148,52 @@ TEST(CloseFacets, NoneIsMissing)
     }
     EXPECT_GT(pairs, 100u);
   }
+}
+
+/// Two facets in planes of any direction, a little apart and inclined to each other.
+TEST(CloseFacets, NoneThatIsALittleApartIsMissing)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> any(-1.0f, 1.0f);
+  const glm::vec3 special[] = { { 0, 0, 1 }, { 0, 1, 0 }, { 1, 0, 0 }, { 1, 1, 1 }, { 1, -1, 0 },
+    { 1, 1, std::sqrt(2.0f) }, { 0.5f, 0.0f, std::sqrt(0.75f) } };
+  std::size_t pairs = 0;
+  for (unsigned trial = 0; trial < 20'000; ++trial)
+  {
+    const glm::vec3 normal = glm::normalize(trial % 2 == 0
+        ? special[trial / 2 % std::size(special)]
+        : glm::vec3(any(random), any(random), any(random)) + glm::vec3(0.0f, 0.0f, 1e-3f));
+    const glm::vec3 u = glm::normalize(glm::cross(normal, glm::vec3(0.6f, -0.36f, 0.72f)));
+    const glm::vec3 v = glm::cross(normal, u);
+    const glm::vec3 centre = 0.4f * glm::vec3(any(random), any(random), any(random));
+    const float size = std::ldexp(0.2f, -static_cast<int>(random() % 12));
+    const float apart = 15.0f * SheetGap;
+    Mesh mesh;
+    for (int f = 0; f < 2; ++f)
+    {
+      const auto corner = [&] {
+        return centre + size * (any(random) * u + any(random) * v) + apart * any(random) * normal;
+      };
+      mesh.Add(corner(), corner(), corner());
+    }
+    if (mesh.facets.size() < 2)
+    {
+      continue;
+    }
+    const int axis = BestAxis(mesh.facets[0].normal);
+    const PlaneTriangle one = mesh.Triangle(0);
+    const PlaneTriangle other(1, mesh.positions[3], mesh.positions[4], mesh.positions[5], axis);
+    const float cosine = glm::dot(mesh.facets[0].normal, mesh.facets[1].normal);
+    const double most =
+      MostExcess * double{ SheetGap } * double{ std::max(one.reach, other.reach) };
+    if (std::fabs(cosine) > SameSheet && Meet(one, other) && Apart(mesh, one, other, axis) < most)
+    {
+      const std::vector<std::uint8_t> close = CloseFacetsOf(mesh);
+      EXPECT_NE(close[0] & (cosine > 0.0f ? FacesAlike : MayBeBefore), 0) << trial;
+      ++pairs;
+    }
+  }
+  EXPECT_GT(pairs, 3000u);
 }
 
 TEST(CloseFacets, SliversThatAreCopiesAreFound)
