@@ -9,6 +9,7 @@
 #include "PhotonTransport/scene/PlaneTriangle.h"
 #include "PhotonTransport/scene/SharedPlanes.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <gtest/gtest.h>
@@ -166,8 +167,9 @@ TEST(CloseFacets, NoneThatIsALittleApartIsMissing)
     const glm::vec3 u = glm::normalize(glm::cross(normal, glm::vec3(0.6f, -0.36f, 0.72f)));
     const glm::vec3 v = glm::cross(normal, u);
     const glm::vec3 centre = 0.4f * glm::vec3(any(random), any(random), any(random));
-    const float size = std::ldexp(0.2f, -static_cast<int>(random() % 12));
-    const float apart = 15.0f * SheetGap;
+    const float size = std::ldexp(0.2f, -static_cast<int>(random() % 15));
+    const glm::vec3 reach = glm::abs(centre);
+    const float apart = 32.0f * SheetGap * std::max({ reach.x, reach.y, reach.z });
     Mesh mesh;
     for (int f = 0; f < 2; ++f)
     {
