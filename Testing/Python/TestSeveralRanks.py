@@ -74,8 +74,6 @@ def check_statistics(folder):
     assert first.keys() == alone.keys() and not any(any(column) for other in others for column in other.values())
     for name, column in alone.items():
         assert len(column) == len(first[name]) == 2, (name, column, first[name])
-        if name in ("Points", "MeanOfPoints", "MeanOfPointsError"):  # count points on borders between ranks once on each
-            continue
         for wanted, got in zip(column, first[name]):
             same = wanted == got or math.isclose(wanted, got, rel_tol=1e-9)
             assert same, (name, wanted, got)

@@ -36,8 +36,8 @@
  *
  * Duplicate, refined and hidden cells and points (vtkGhostType) do not count, nor do points whose
  * ValidArray is 0, or triangles that have such a corner. Under MPI, rank 0 summarises the data of
- * all ranks and has the table; a block that is spread over ranks has one row. Points and
- * MeanOfPoints then count a point on a border between ranks once on each of them.
+ * all ranks and has the table; a block that is spread over ranks has one row, and its pieces become
+ * one surface before, so that a point on a border between them counts once.
  *
  * The field array Notes tells where errors come from and what was left out. Bad input gives one
  * error that names the array, the cell or point and the value, and an empty table.

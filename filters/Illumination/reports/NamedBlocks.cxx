@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Illumination/reports/NamedBlocks.h"
 
+#include "Illumination/ranks/MergedPieces.h"
+#include "Illumination/surface/SurfaceTriangles.h"
+
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkSmartPointer.h"
+#include "vtkPolyData.h"
 
+#include <algorithm>
 #include <map>
+#include <utility>
 
 namespace Illumination
 {
@@ -39,9 +43,22 @@ std::map<vtkDataObject*, unsigned> CollectionPlaces(vtkDataObject* data)
   return places;
 }
 
+/// @param pieces Their indices.
+NamedBlock Joined(const std::vector<NamedBlock>& blocks, const std::vector<std::size_t>& pieces)
+{
+  std::vector<Piece> surfaces;
+  for (const std::size_t b : pieces)
+  {
+    surfaces.push_back({ {}, blocks[b].where, blocks[b].data, blocks[b].rank });
+  }
+  NamedBlock whole = blocks[pieces.front()];
+  whole.data = Merge(surfaces).data;
+  return whole;
+}
+
 } // namespace
 
-void NamedBlocks::Add(vtkDataObject* piece)
+void NamedBlocks::Add(vtkDataObject* piece, std::size_t rank)
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(piece);
   if (!composite)
@@ -49,7 +66,7 @@ void NamedBlocks::Add(vtkDataObject* piece)
     auto* data = vtkDataSet::SafeDownCast(piece);
     if (data && data->GetNumberOfPoints() > 0)
     {
-      this->blocks.push_back({ data, "", 0.0, "All" });
+      this->blocks.push_back({ data, "", 0.0, "All", rank });
     }
     return;
   }
@@ -72,8 +89,38 @@ void NamedBlocks::Add(vtkDataObject* piece)
                                    : nullptr);
     const double key = inCollection ? place->second : it->GetCurrentFlatIndex();
     this->blocks.push_back(
-      { data, " of block " + number, key, name.empty() ? "Block " + number : name });
+      { data, " of block " + number, key, name.empty() ? "Block " + number : name, rank });
   }
+}
+
+void NamedBlocks::JoinSurfacesOfRanks()
+{
+  std::map<double, std::vector<std::size_t>> surfaces; // by the block's number
+  for (std::size_t b = 0; b < this->blocks.size(); ++b)
+  {
+    auto* data = vtkPolyData::SafeDownCast(this->blocks[b].data);
+    if (data && HasSurface(data))
+    {
+      surfaces[this->blocks[b].number].push_back(b);
+    }
+  }
+  std::vector<NamedBlock> joined;
+  for (std::size_t b = 0; b < this->blocks.size(); ++b)
+  {
+    const auto found = surfaces.find(this->blocks[b].number);
+    const bool isPiece = found != surfaces.end() &&
+      std::binary_search(found->second.begin(), found->second.end(), b) &&
+      this->blocks[found->second.front()].rank != this->blocks[found->second.back()].rank;
+    if (!isPiece)
+    {
+      joined.push_back(this->blocks[b]);
+    }
+    else if (b == found->second.front())
+    {
+      joined.push_back(Joined(this->blocks, found->second));
+    }
+  }
+  this->blocks = std::move(joined);
 }
 
 } // namespace Illumination

@@ -2,12 +2,14 @@
 #ifndef NamedBlocks_h
 #define NamedBlocks_h
 
+#include "vtkDataSet.h"
+#include "vtkSmartPointer.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
 
 class vtkDataObject;
-class vtkDataSet;
 
 namespace Illumination
 {
@@ -15,11 +17,12 @@ namespace Illumination
 /// A data set with points.
 struct NamedBlock
 {
-  vtkDataSet* data;
+  vtkSmartPointer<vtkDataSet> data;
   std::string where; ///< For messages: " of block 2", or "".
   /// Of the block; the partitions of a collection's data set have the number of that.
   double number;
-  std::string name; ///< Its own, or "Block 2"; "All" where there are no blocks.
+  std::string name;     ///< Its own, or "Block 2"; "All" where there are no blocks.
+  std::size_t rank = 0; ///< Which has it.
 };
 
 struct NamedBlocks
@@ -27,8 +30,12 @@ struct NamedBlocks
   std::vector<NamedBlock> blocks;
   std::size_t others = 0; ///< Blocks that are no data sets.
 
-  /// Adds the blocks of a data set or of a composite data set, which must outlive this.
-  void Add(vtkDataObject* data);
+  /// Adds the blocks of a data set or of a composite data set.
+  void Add(vtkDataObject* data, std::size_t rank);
+
+  /// Makes one block of surfaces that have one number and are on several ranks, so that points on
+  /// the borders between these count once, see Merge. Throws InputError.
+  void JoinSurfacesOfRanks();
 };
 
 } // namespace Illumination

@@ -129,10 +129,11 @@ StatisticsParts::StatisticsParts(
   const std::vector<vtkSmartPointer<vtkDataObject>>& pieces, const StatisticsArrays& arrays)
   : Arrays(arrays)
 {
-  for (vtkDataObject* piece : pieces)
+  for (std::size_t rank = 0; rank < pieces.size(); ++rank)
   {
-    this->Input.Add(piece);
+    this->Input.Add(pieces[rank], rank);
   }
+  this->Input.JoinSurfacesOfRanks();
   if (this->Input.blocks.empty())
   {
     throw InputError("the input has no points to summarise");

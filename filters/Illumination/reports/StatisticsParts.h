@@ -40,7 +40,8 @@ class StatisticsParts
 {
 public:
   /// Throws InputError for arrays that are missing or hold what can't be summarised.
-  /// @param pieces Data sets or composite ones; blocks of the same number are parts of one.
+  /// @param pieces Data sets or composite ones, by rank; blocks of the same number are parts of
+  /// one.
   /// @param arrays Groups are found by the name of the map.
   StatisticsParts(
     const std::vector<vtkSmartPointer<vtkDataObject>>& pieces, const StatisticsArrays& arrays);
