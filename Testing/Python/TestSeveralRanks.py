@@ -79,6 +79,16 @@ def check_statistics(folder):
             assert same, (name, wanted, got)
 
 
+def check_suggestion(folder):
+    for ranks in (0, 2):
+        start(ranks, *["--sym"] * (ranks > 0), WORKER, "suggestion", folder)
+    alone = read(folder, "suggestion_1_", 1)[0]
+    assert 0.05 < alone[1] < 0.1, alone  # the size of a lamp for the room, not the default
+    for found in read(folder, "suggestion_2_", 2):
+        same = [math.isclose(a, b, rel_tol=1e-9, abs_tol=1e-9) for a, b in zip(alone, found, strict=True)]
+        assert all(same), (alone, found)
+
+
 def check_errors(folder):
     start(3, "--sym", WORKER, "errors", folder)
     parts = read(folder, "errors_", 3)
@@ -183,6 +193,7 @@ def check():
         maps = check_same(Path(folder))
         print(maps, "maps on 1 to 4 ranks have the same bits", flush=True)
         check_statistics(Path(folder))
+        check_suggestion(Path(folder))
         stops = check_errors(Path(folder))
         print(stops, "errors and stops on 3 ranks", flush=True)
     check_pipelines()

@@ -3,6 +3,7 @@
 
 rank_scenes.py same OUTPUT [SCENE]: lights scenes of which each rank has a part; their values go to OUTPUT.
 rank_scenes.py statistics OUTPUT: a table of a map of which each rank has a part.
+rank_scenes.py suggestion OUTPUT: the lamp that is suggested for a surface of which each rank has a part.
 rank_scenes.py errors OUTPUT: see rank_stops.py.
 """
 
@@ -15,7 +16,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 
 from vtkIllumination import (vtkIlluminanceSensors, vtkIlluminanceStatistics, vtkIlluminatedAppearance,
-                             vtkIlluminationMapSmoothing, vtkSurfaceRefinement)
+                             vtkIlluminationMapSmoothing, vtkSuggestedLamp, vtkSurfaceRefinement)
 
 sys.path[:0] = [str(Path(__file__).resolve().parent)]
 from rank_pieces import (RANK, RANKS, ball, fields, illumination_map, lamp, piece, poly_data,  # noqa: E402
@@ -211,5 +212,15 @@ def statistics(output):
     (output / f"statistics_{RANKS}_{RANK}.json").write_text(json.dumps(found))
 
 
+def suggestion(output):
+    """The lamp that is suggested for a room of which each rank has a part, or none."""
+    suggested = vtkSuggestedLamp()
+    suggested.SetInputData(piece(*room(), "last"))
+    suggested.Update()
+    found = [suggested.GetLampType(), suggested.GetLampSize(), *suggested.GetLampPosition(),
+             *suggested.GetLampDirection()]
+    (output / f"suggestion_{RANKS}_{RANK}.json").write_text(json.dumps(found))
+
+
 if __name__ == "__main__":
-    {"same": same, "statistics": statistics, "errors": errors}[sys.argv[1]](Path(sys.argv[2]), *sys.argv[3:])
+    {"same": same, "statistics": statistics, "suggestion": suggestion, "errors": errors}[sys.argv[1]](Path(sys.argv[2]), *sys.argv[3:])

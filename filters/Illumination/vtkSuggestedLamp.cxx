@@ -3,6 +3,8 @@
 
 #include "Illumination/luminaires/SuggestedLamp.h"
 #include "Illumination/pipeline/InputError.h"
+#include "Illumination/ranks/ControllerRanks.h"
+#include "Illumination/ranks/WholeSurface.h"
 #include "Illumination/surface/SurfaceParts.h"
 #include "Illumination/surface/SurfaceTriangles.h"
 #include "vtkIlluminationMap.h"
@@ -65,7 +67,10 @@ int vtkSuggestedLamp::RequestData(
 {
   // An observer may disconnect the input.
   const vtkSmartPointer<vtkDataObject> in = vtkDataObject::GetData(input[0]);
-  const SuggestedLamp lamp = SuggestionFor(in);
+  SuggestedLamp lamp;
+  ControllerRanks ranks;
+  ranks.Together(
+    [&] { lamp = SuggestionFor(ranks.AreSeveral() ? WholeSurface(ranks, in).Data() : in.Get()); });
   this->LampType = lamp.isParallel ? vtkIlluminationMap::PARALLEL : vtkIlluminationMap::POINT;
   for (int i = 0; i < 3; ++i)
   {
