@@ -4,7 +4,7 @@
 #include "Shapes.h"
 
 #include "PhotonTransport/scene/CloseFacets.h"
-#include "PhotonTransport/scene/OverlappingFacets.h"
+#include "PhotonTransport/scene/FacetOverlap.h"
 #include "PhotonTransport/scene/PlaceKeys.h"
 #include "PhotonTransport/scene/PlaneTriangle.h"
 #include "PhotonTransport/scene/SharedPlanes.h"

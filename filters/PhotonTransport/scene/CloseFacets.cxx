@@ -2,8 +2,8 @@
 #include "PhotonTransport/scene/CloseFacets.h"
 
 #include "PhotonTransport/scene/FacetLanes.h"
+#include "PhotonTransport/scene/FacetOverlap.h"
 #include "PhotonTransport/scene/FacetTree.h"
-#include "PhotonTransport/scene/OverlappingFacets.h"
 #include "PhotonTransport/scene/PlaneTriangle.h"
 #include "PhotonTransport/scene/SharedPlanes.h"
 #include "PhotonTransport/threads/Threads.h"

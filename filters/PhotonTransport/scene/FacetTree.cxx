@@ -3,7 +3,7 @@
 
 #include "PhotonTransport/memory/HugePages.h"
 #include "PhotonTransport/scene/FacetLeaf.h"
-#include "PhotonTransport/scene/OverlappingFacets.h"
+#include "PhotonTransport/scene/FacetOverlap.h"
 #include "PhotonTransport/scene/PlaceKeys.h"
 #include "PhotonTransport/scene/Ray.h"
 #include "PhotonTransport/scene/SharedPlanes.h"

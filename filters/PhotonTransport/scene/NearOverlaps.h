@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PhotonTransport/scene/OverlappingFacets.h"
+#include "PhotonTransport/scene/FacetOverlap.h"
 
 #include <glm/vec3.hpp>
 
