@@ -44,8 +44,12 @@ public:
   Range<std::uint32_t> Of(std::uint32_t vertex) const
   {
     const std::uint32_t* base = this->Facets.data();
-    return { base + this->Offsets[vertex], base + this->Offsets[vertex + 1] };
+    return { base + this->Begin(vertex), base + this->Begin(vertex + 1) };
   }
+  /// Where its ring begins in the list of all.
+  std::size_t Begin(std::uint32_t vertex) const { return this->Offsets[vertex]; }
+  /// Of the list of all rings.
+  std::size_t Length() const { return this->Facets.size(); }
 
 private:
   std::vector<std::uint64_t> Offsets;

@@ -138,9 +138,17 @@ public:
   template <typename F>
   void ForEachAreaAround(std::uint32_t vertex, const F& f) const
   {
+    if (!this->RingAreas.empty())
+    {
+      for (std::size_t i = this->Rings.Begin(vertex); i < this->Rings.Begin(vertex + 1); ++i)
+      {
+        f(this->RingAreas[i]);
+      }
+      return;
+    }
     for (const std::uint32_t facet : this->Rings.Of(vertex))
     {
-      f(this->GivenFacets.empty() ? this->FacetAreas[facet] : this->SharedArea(facet, vertex));
+      f(this->FacetAreas[facet]);
     }
   }
   /// For each vertex its ring, where facets have neither parts nor copies; else null.
@@ -194,6 +202,7 @@ private:
   }
   void AddVertices(const Surface& surface, const PlacedPoints& points);
   FacetRings RingsThatCount(std::size_t vertices) const;
+  void AddRings(std::size_t vertices);
   float ShareOfCorner(std::uint32_t facet, int corner) const;
   glm::vec3 SharedArea(std::uint32_t facet, std::uint32_t vertex) const;
   std::uint8_t MakeVertex(std::uint32_t vertex, const std::vector<RingPart>& ring,
@@ -231,6 +240,9 @@ private:
   std::vector<Material> FacetMaterials;
   std::vector<std::uint32_t> FacetMaterial;
   FacetRings Rings; ///< Of the vertices of the map: the facets that count there.
+  /// [place in the list of all rings] The area vector of a facet by the share of the vertex. Empty
+  /// unless facets are parts of given ones: then rings are long, and what they need is far apart.
+  LargeArray<glm::vec3> RingAreas;
   SceneNotes Found;
   std::vector<double> Areas;
   LargeArray<Vertex> VertexRecords;

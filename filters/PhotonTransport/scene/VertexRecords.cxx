@@ -103,11 +103,32 @@ glm::vec3 Scene::SharedArea(std::uint32_t facet, std::uint32_t vertex) const
   return this->ShareOfCorner(facet, corner) * this->FacetAreas[facet];
 }
 
+/// Makes the lists that ForEachAreaAround reads.
+void Scene::AddRings(std::size_t vertices)
+{
+  this->Rings = this->RingsThatCount(vertices);
+  if (this->GivenFacets.empty())
+  {
+    return;
+  }
+  ResizeOnHugePages(this->RingAreas, this->Rings.Length());
+  ForEach(vertices,
+    [&](std::size_t i)
+    {
+      const auto v = static_cast<std::uint32_t>(i);
+      glm::vec3* area = this->RingAreas.data() + this->Rings.Begin(v);
+      for (const std::uint32_t facet : this->Rings.Of(v))
+      {
+        *area++ = this->SharedArea(facet, v);
+      }
+    });
+}
+
 void Scene::AddVertices(const Surface& surface, const PlacedPoints& points)
 {
   const LargeArray<glm::vec3>& positions = points.positions;
   const std::size_t onMap = surface.IsRefined() ? surface.given.points : positions.size();
-  this->Rings = this->RingsThatCount(onMap);
+  this->AddRings(onMap);
   ResizeOnHugePages(this->VertexRecords, positions.size());
   this->Areas.resize(onMap);
   std::vector<std::uint8_t> found(onMap);

@@ -65,7 +65,8 @@ constexpr std::uint64_t CopiesPerVertex = 2 * sizeof(glm::vec3);
 
 /// A part of a facet of a refined surface: what it is a part of, for the surface and for the scene.
 /// A point of it that is none of the given ones: the surface's, the record and positions.
-constexpr std::uint64_t RefinedPerFacet = sizeof(FacetOrigin) + sizeof(GivenFacet);
+constexpr std::uint64_t RefinedPerFacet =
+  sizeof(FacetOrigin) + sizeof(GivenFacet) + 3 * sizeof(glm::vec3);
 constexpr std::uint64_t RefinedPerPoint =
   2 * sizeof(glm::dvec3) + sizeof(Vertex) + 2 * sizeof(glm::vec3) + sizeof(glm::dvec2);
 
