@@ -4,6 +4,7 @@
 #include "Illumination/surface/CellCopies.h"
 #include "Illumination/surface/GhostCells.h"
 #include "Illumination/surface/InputChecks.h"
+#include "Illumination/surface/PolygonCutter.h"
 
 #include "PhotonTransport/geometry/TriangleArea.h"
 #include "PhotonTransport/scene/DataRounding.h"
@@ -15,7 +16,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkTriangleFilter.h"
 
 #include <glm/geometric.hpp>
 
@@ -97,8 +97,7 @@ public:
     this->Ids->SetName(CellIds);
   }
 
-  /// The polygons that have three corners and the triangles of strips: VTK's triangle filter would
-  /// read beyond the end of a shorter strip.
+  /// The polygons that have three corners or more, and the triangles of strips.
   void Copy(SurfaceTriangles& result)
   {
     vtkIdType cell = this->Data->GetNumberOfVerts() + this->Data->GetNumberOfLines();
@@ -265,10 +264,7 @@ SurfaceTriangles TrianglesOf(vtkPolyData* data, vtkDataArray* normals, const std
   bare->GetPointData()->AddArray(Counting(PointIds, data->GetNumberOfPoints()));
   bare->GetPointData()->SetNormals(normals);
 
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(bare);
-  triangles->Update();
-  result.mesh = triangles->GetOutput();
+  result.mesh = CutPolygons(bare, CellIds);
   result.uncut = FindUncut(cells, CellsOfTriangles(result.mesh), data->GetNumberOfCells());
   KeepThoseWithArea(result.mesh, result.withoutArea);
   return result;
