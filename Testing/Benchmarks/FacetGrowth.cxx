@@ -88,7 +88,7 @@ void Measure(int triangles, int threads)
   settings.threads = threads;
   settings.replicates = 8;
   const double bytes = BytesTaken(surface, settings);
-  const auto needed = static_cast<double>(MemoryNeed(surface, Light, settings));
+  const auto needed = static_cast<double>(MemoryNeed(surface, Light, settings).Bytes());
 
   double ready = 0.0, built = 0.0, rate = 0.0, bareRate = 0.0, ratio = 0.0, order = 0.0;
   {

@@ -4,7 +4,7 @@
 #include "ProcessMemory.h"
 
 #include "PhotonTransport/scene/InvalidInput.h"
-#include "PhotonTransport/transport/MemoryNeed.h"
+#include "PhotonTransport/transport/MemoryLimit.h"
 
 #include "vtkLuminaireSource.h"
 
@@ -190,8 +190,9 @@ TEST_F(FilterMemory, MoreThanTheMachineHasIsRefused)
   ASSERT_TRUE(available);
   EXPECT_GT(*available, 0u);
   using PhotonTransport::InvalidInput;
-  EXPECT_NO_THROW(PhotonTransport::RequireMemory(*available / 2, 0));
-  EXPECT_THROW(PhotonTransport::RequireMemory(*available * 2, 0), InvalidInput);
+  const PhotonTransport::MemoryLimit whatThereIs;
+  EXPECT_NO_THROW(whatThereIs.Require(*available / 2));
+  EXPECT_THROW(whatThereIs.Require(*available * 2), InvalidInput);
 }
 
 TEST_F(FilterMemory, DoesNotGrowOverAThousandExecutions)

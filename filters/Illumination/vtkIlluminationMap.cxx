@@ -5,6 +5,7 @@
 #include "Illumination/luminaires/LuminaireInput.h"
 #include "Illumination/map/AccuracyRegion.h"
 #include "Illumination/map/KeptRun.h"
+#include "Illumination/map/MemoryOfOutputs.h"
 #include "Illumination/map/PhotonArrays.h"
 #include "Illumination/map/RunFacts.h"
 #include "Illumination/map/SceneBlocks.h"
@@ -16,7 +17,7 @@
 #include "PhotonTransport/scene/CurvedSurface.h"
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/threads/Threads.h"
-#include "PhotonTransport/transport/MemoryNeed.h"
+#include "PhotonTransport/transport/MemoryBudget.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -189,19 +190,18 @@ void vtkIlluminationMap::Execute(
       { ArrayName(this->AccuracyRegionArray), this->AccuracyRegionBlocks });
     this->MakeAdaptiveLimits(); // which refuses bad ones before the run
     RequirePhotonCounts(this->MaximumPhotons, this->PhotonPaths);
-    const std::uint64_t need =
-      this->PrepareRun(blocks, lighting, std::move(origins), rules.photons);
+    this->PrepareRun(blocks, lighting, std::move(origins), rules.photons);
     this->Kept->Blocks = sceneBlocks;
     this->Kept->Run.SetRegion(region);
     const PhotonTransport::StopReason reason = this->AdvanceRun(rules, region);
     this->WriteMap(blocks, lighting, reason, outputs);
     this->WritePhotons(blocks, lighting, outputs);
+    AddMemoryNeeded(
+      vtkDataObject::GetData(outputs)->GetFieldData(), this->Kept->Memory.Bytes());
     if (reason == PhotonTransport::StopReason::Paused)
     {
       this->StartBackground(rules);
     }
-    vtkFieldData* fields = vtkDataObject::GetData(outputs)->GetFieldData();
-    AddMemoryNeeded(fields, need);
   }
   catch (const InvalidInput& error)
   {
@@ -227,18 +227,13 @@ std::shared_ptr<SceneBlocks> vtkIlluminationMap::BlocksOf(
   return std::make_shared<SceneBlocks>(output, this->DescribeSurface(origins.back() != 0));
 }
 
-std::uint64_t vtkIlluminationMap::PrepareRun(const SceneBlocks& blocks,
+void vtkIlluminationMap::PrepareRun(const SceneBlocks& blocks,
   const PhotonTransport::Lighting& lighting, std::vector<vtkMTimeType> origins,
   std::uint64_t photons)
 {
   const PhotonTransport::TraceSettings settings = this->MakeTraceSettings();
   Validate(settings);
-  const std::uint64_t forGroups = this->GroupMeans && this->Method == PHOTON_TRACING
-    ? blocks.Surface().points.size() * PhotonTransport::GroupMeansPerVertex
-    : 0;
-  const std::uint64_t forOutputs = forGroups +
-    static_cast<std::uint64_t>(this->MaximumPhotons) * PhotonTransport::StoredPhotonNeed;
-  const std::uint64_t memoryLimit = this->MemoryLimitInBytes();
+  this->MemoryLimitInBytes(); // which refuses a bad one
   const bool storesPhotons = this->MaximumPhotons > 0 || this->PhotonPaths > 0;
   const bool goesOn = this->Kept && this->Kept->MadeFrom == origins &&
     this->Kept->Run.CanGoOnTo(photons) && !this->Kept->IsCoarseForAnother(this->MemoryLimit) &&
@@ -247,32 +242,42 @@ std::uint64_t vtkIlluminationMap::PrepareRun(const SceneBlocks& blocks,
   if (this->GetRanks().Any(!goesOn)) // ranks may each have their own reason
   {
     this->Kept.reset(); // first, so that two never share the memory
-    PhotonTransport::Surface curved;
-    if (this->CurvedSurface)
-    {
-      curved = PhotonTransport::CurvedSurface(
-        blocks.Surface(), this->GetRanks().Least(PhotonTransport::MostRefinedFacets(memoryLimit)));
-    }
-    const PhotonTransport::Surface& surface = this->CurvedSurface ? curved : blocks.Surface();
-    PhotonTransport::TraceSettings ofMemory = settings;
-    if (this->GetRanks().AreSeveral()) // which keep what is not yet added up, as a thread does
-    {
-      ofMemory.threads = PhotonTransport::ThreadCount(settings.threads) + 1;
-    }
-    const std::uint64_t needOfRun = PhotonTransport::MemoryNeed(surface, lighting, ofMemory);
-    const std::uint64_t need = needOfRun + forOutputs;
-    PhotonTransport::RequireMemory(need, memoryLimit);
-    const std::string text =
-      "Building the scene, up to " + std::to_string(need >> 20) + " MiB of memory";
-    this->SetProgressText(text.c_str());
-    this->UpdateProgress(0.0);
-    this->Kept =
-      std::make_unique<KeptRun>(surface, lighting, settings, std::move(origins), needOfRun);
-    this->Kept->MemoryLimit = this->MemoryLimit;
-    if (surface.IsRefined())
-    {
-      this->Kept->Curved = std::move(curved);
-    }
+    this->MakeRun(blocks, lighting, settings, std::move(origins));
   }
-  return this->Kept->MemoryNeed + forOutputs;
+  const PhotonTransport::Surface& curved = this->Kept->Curved;
+  this->Kept->Memory.SetBeside(MemoryOfOutputs(curved.IsRefined() ? curved : blocks.Surface(),
+    lighting, settings, this->Kept->Memory.OfRun().HasColours(), { this->GroupMeans, static_cast<std::uint64_t>(this->MaximumPhotons) }));
+}
+
+void vtkIlluminationMap::MakeRun(const SceneBlocks& blocks,
+  const PhotonTransport::Lighting& lighting, const PhotonTransport::TraceSettings& settings,
+  std::vector<vtkMTimeType> origins)
+{
+  const std::uint64_t memoryLimit = this->MemoryLimitInBytes();
+  PhotonTransport::Surface curved;
+  if (this->CurvedSurface)
+  {
+    curved = PhotonTransport::CurvedSurface(
+      blocks.Surface(), this->GetRanks().Least(PhotonTransport::MostRefinedFacets(memoryLimit)));
+  }
+  const PhotonTransport::Surface& surface = this->CurvedSurface ? curved : blocks.Surface();
+  PhotonTransport::TraceSettings ofMemory = settings;
+  if (this->GetRanks().AreSeveral()) // which keep what is not yet added up, as a thread does
+  {
+    ofMemory.threads = PhotonTransport::ThreadCount(settings.threads) + 1;
+  }
+  const PhotonTransport::MemoryNeed need(surface, lighting, ofMemory);
+  const PhotonTransport::MemoryBudget memory(need,
+    MemoryOfOutputs(surface, lighting, settings, need.HasColours(), { this->GroupMeans, static_cast<std::uint64_t>(this->MaximumPhotons) }),
+    PhotonTransport::MemoryLimit(memoryLimit));
+  const std::string text =
+    "Building the scene, up to " + std::to_string(memory.Bytes() >> 20) + " MiB of memory";
+  this->SetProgressText(text.c_str());
+  this->UpdateProgress(0.0);
+  this->Kept = std::make_unique<KeptRun>(surface, lighting, settings, std::move(origins), memory);
+  this->Kept->MemoryLimit = this->MemoryLimit;
+  if (surface.IsRefined())
+  {
+    this->Kept->Curved = std::move(curved);
+  }
 }

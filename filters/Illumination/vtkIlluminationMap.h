@@ -810,10 +810,12 @@ private:
     vtkDataObject* output, const std::vector<vtkMTimeType>& origins);
   /// Builds the scene and a run on it, unless the kept run can go on to so many photons and be that
   /// of the lighting.
-  /// @param origins When data and filter last changed. @return Bytes that the run takes at most.
-  std::uint64_t PrepareRun(const Illumination::SceneBlocks& blocks,
+  /// @param origins When data and filter last changed.
+  void PrepareRun(const Illumination::SceneBlocks& blocks,
     const PhotonTransport::Lighting& lighting, std::vector<vtkMTimeType> origins,
     std::uint64_t photons);
+  void MakeRun(const Illumination::SceneBlocks& blocks, const PhotonTransport::Lighting& lighting,
+    const PhotonTransport::TraceSettings& settings, std::vector<vtkMTimeType> origins);
   PhotonTransport::StopReason AdvanceRun(
     const PhotonTransport::StopRules& rules, const std::vector<double>& region);
   void StartBackground(PhotonTransport::StopRules rules);

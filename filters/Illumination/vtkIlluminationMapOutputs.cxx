@@ -125,7 +125,7 @@ std::optional<PhotonTransport::RefinedMap> vtkIlluminationMap::RefineMap(const S
   }
   PhotonTransport::AdaptiveLimits limits = this->MakeAdaptiveLimits();
   limits.facets = this->GetRanks().Least(std::min(limits.facets,
-    PhotonTransport::MostAdaptiveFacets(this->MemoryLimitInBytes(), this->Kept->MemoryNeed)));
+    PhotonTransport::MostAdaptiveFacets(this->MemoryLimitInBytes(), this->Kept->Memory.Bytes())));
   const bool isCurved = this->Kept->Curved.IsRefined();
   return this->Kept->Run.Refine(isCurved ? this->Kept->Curved : blocks.Surface(), limits,
     [report = ProgressReport(this)](std::uint64_t points) mutable

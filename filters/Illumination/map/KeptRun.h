@@ -8,12 +8,12 @@
 #include "PhotonTransport/scene/Scene.h"
 #include "PhotonTransport/scene/Surface.h"
 #include "PhotonTransport/transport/IlluminationRun.h"
+#include "PhotonTransport/transport/MemoryBudget.h"
 #include "PhotonTransport/transport/SkyOpenings.h"
 #include "PhotonTransport/transport/StopRules.h"
 
 #include "vtkType.h"
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -46,22 +46,23 @@ struct EndedRun
 struct KeptRun
 {
   KeptRun(const PhotonTransport::Surface& surface, const PhotonTransport::Lighting& lighting,
-    const PhotonTransport::TraceSettings& settings, Origins madeFrom, std::uint64_t memoryNeed)
-    : Scene(surface)
+    const PhotonTransport::TraceSettings& settings, Origins madeFrom,
+    const PhotonTransport::MemoryBudget& memory)
+    : Memory(memory)
+    , Scene(surface)
     , Openings(OpeningsToSkies(surface, this->Scene, lighting, settings))
-    , Run(this->Scene, lighting, settings, this->Openings.openings)
+    , Run(this->Scene, lighting, settings, this->Openings.openings, &this->Memory)
     , MadeFrom(std::move(madeFrom))
-    , MemoryNeed(memoryNeed)
     , Background(this->Run)
   {
   }
 
+  PhotonTransport::MemoryBudget Memory; ///< With what the filter makes of the maps.
   PhotonTransport::Scene Scene;
   PhotonTransport::FoundOpenings Openings;
   PhotonTransport::IlluminationRun Run;
   PhotonTransport::Surface Curved; ///< What is traced where it is not the surface of the blocks.
   Origins MadeFrom;
-  std::uint64_t MemoryNeed;            ///< Bytes, without group means.
   std::optional<EndedRun> Ended;       ///< How it ended last.
   std::shared_ptr<SceneBlocks> Blocks; ///< What the scene was made of.
   double MemoryLimit = 0.0;            ///< The property as it was, GiB.

@@ -17,26 +17,23 @@ TraceSettings WithSecondPass(TraceSettings settings)
   return settings;
 }
 
-/// What is traced, if it fits the memory.
 PhotonTransport::Surface SurfaceToTrace(
-  const PhotonTransport::Surface& given, const Lighting& lighting, const TraceSettings& settings)
+  const PhotonTransport::Surface& given, const TraceSettings& settings)
 {
   constexpr std::uint64_t WhatTheMachineHas = 0;
-  PhotonTransport::Surface surface =
-    settings.curvedSurface ? CurvedSurface(given, MostRefinedFacets(WhatTheMachineHas)) : given;
-  RequireMemory(MemoryNeed(surface, lighting, settings), WhatTheMachineHas);
-  return surface;
+  return settings.curvedSurface ? CurvedSurface(given, MostRefinedFacets(WhatTheMachineHas)) : given;
 }
 
 } // namespace
 
 SensorScene::SensorScene(
   const PhotonTransport::Surface& surface, const Lighting& lighting, TraceSettings settings)
-  : Traced(SurfaceToTrace(surface, lighting, WithSecondPass(settings)))
+  : Traced(SurfaceToTrace(surface, settings))
   , Settings(WithSecondPass(settings))
+  , Memory(MemoryNeed(this->Traced, lighting, this->Settings), {}, MemoryLimit())
   , Scene(this->Traced)
   , Openings(OpeningsToSkies(this->Traced, this->Scene, lighting, this->Settings))
-  , Run(this->Scene, lighting, this->Settings, this->Openings.openings)
+  , Run(this->Scene, lighting, this->Settings, this->Openings.openings, &this->Memory)
 {
 }
 

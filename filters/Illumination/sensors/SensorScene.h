@@ -6,6 +6,7 @@
 #include "PhotonTransport/scene/Scene.h"
 #include "PhotonTransport/scene/Surface.h"
 #include "PhotonTransport/sensors/SensorRun.h"
+#include "PhotonTransport/transport/MemoryBudget.h"
 #include "PhotonTransport/transport/SkyOpenings.h"
 
 namespace Illumination
@@ -20,6 +21,7 @@ struct SensorScene
 
   PhotonTransport::Surface Traced; ///< The given surface, or curved patches along it.
   PhotonTransport::TraceSettings Settings;
+  PhotonTransport::MemoryBudget Memory; ///< What the machine has.
   PhotonTransport::Scene Scene;
   PhotonTransport::FoundOpenings Openings;
   PhotonTransport::SensorRun Run;

@@ -17,6 +17,12 @@ namespace PhotonTransport
 namespace
 {
 
+/// Bytes of lists of all sides while links are found: which rays have met, their places in the
+/// table, and those to be traced next.
+constexpr std::uint64_t BytesOfAnySide = sizeof(std::uint8_t) + 2 * sizeof(std::uint32_t);
+/// Bytes of lists of the sides of the table, which grow.
+constexpr std::uint64_t BytesOfSolvedSide = 2 * (sizeof(void*) + sizeof(std::uint32_t));
+
 /// Notes which sides rays meet. See GatherWalk.
 struct MeetingSink
 {
@@ -140,8 +146,8 @@ bool CellLinks::PhotonsAreFew(const PhotonCounts& counts) const
 }
 
 /// All sides that count for what receivers see, with their links to each other.
-LinkTable CellLinks::FindLinks(
-  const CellExitance& exitance, std::vector<std::uint32_t>& placeOf) const
+std::vector<LinkTable> CellLinks::FindLinks(
+  const CellExitance& exitance, std::vector<std::uint32_t>& placeOf, const Watch& watch) const
 {
   SidesMet met(this->Gathered.cells.Number());
   for (const std::uint32_t side : this->Seen)
@@ -152,69 +158,77 @@ LinkTable CellLinks::FindLinks(
   const LinkTracer tracer(this->Gathered, this->Shares, exitance, this->Strata, met);
   const auto isNew = [&](std::uint32_t side)
   { return placeOf[side] == NoSide && !this->Shares.IsBlack(side); };
-  std::vector<std::uint32_t> next = met.List(isNew);
-  // Most sides are among the first. Memory that is not written to costs nothing.
-  LinkTable table = tracer.EmptyFor(std::min(placeOf.size(), 2 * next.size()));
-  for (; !next.empty(); next = met.List(isNew))
+  std::vector<LinkTable> tables;
+  std::uint32_t place = 0;
+  std::uint64_t bytes = placeOf.size() * BytesOfAnySide;
+  for (std::vector<std::uint32_t> next = met.List(isNew); !next.empty(); next = met.List(isNew))
   {
-    for (std::size_t i = 0; i < next.size(); ++i)
+    for (const std::uint32_t side : next)
     {
-      placeOf[next[i]] = static_cast<std::uint32_t>(table.sides.size() + i);
-      if (this->Shares.Of(next[i]).IsTranslucent())
+      placeOf[side] = place++;
+      if (this->Shares.Of(side).IsTranslucent())
       {
-        met.Add(OtherSide(next[i])); // its light comes through
+        met.Add(OtherSide(side)); // its light comes through
       }
     }
-    tracer.Trace(next, table);
+    for (std::size_t first = 0; first < next.size(); first += LinkTracer::SidesOfSlice)
+    {
+      const std::size_t number = std::min(next.size() - first, LinkTracer::SidesOfSlice);
+      tables.push_back(tracer.Trace(next, first, number));
+      bytes += tables.back().Bytes();
+      watch(bytes + tables.back().Bytes()); // a slice is there twice for a while
+    }
   }
-  return table;
+  return tables;
 }
 
-std::uint64_t CellLinks::MemoryNeed(
-  std::size_t cells, std::size_t replicates, std::size_t channels, std::size_t lamps)
-{
-  const std::size_t values = channels * std::max<std::size_t>(1, lamps);
-  const std::size_t strata = LinkTracer::StrataFor(cells, replicates);
-  constexpr std::size_t WithOpenings = 2; // as many rays again may go to openings
-  constexpr std::size_t Sweeping = 3;     // lists of values while LinkSolver is at work
-  const std::uint64_t perSide = LinkTable::BytesPerSide(replicates, values) +
-    replicates *
-      (WithOpenings * strata * strata * LinkTable::BytesPerLink(channels) +
-        Sweeping * values * sizeof(float));
-  constexpr std::uint64_t Lists = 3 * sizeof(std::uint32_t) + sizeof(std::uint8_t); // of all sides
-  return 2 * std::uint64_t{ cells } * (perSide + Lists);
-}
-
-void CellLinks::Solve(CellExitance& exitance) const
+void CellLinks::Solve(CellExitance& exitance, const Watch& watch) const
 {
   std::vector<std::uint32_t> placeOf;
-  LinkTable table = this->FindLinks(exitance, placeOf);
-  if (exitance.caustic.Of(0))
-  {
-    AddCaustics(exitance, table);
-  }
-  for (std::uint32_t& link : table.links)
-  {
-    link = placeOf[link]; // LinkTracer links no black side, and all others have a place
-  }
+  std::vector<LinkTable> tables = this->FindLinks(exitance, placeOf, watch);
   std::vector<const DiffuseShares*> shares;
   std::vector<std::uint32_t> others;
-  for (const std::uint32_t side : table.sides)
+  std::uint64_t largest = 0; // of slices, which were there twice: the heap may keep the other one
+  std::uint64_t bytes = placeOf.size() * BytesOfAnySide;
+  for (LinkTable& table : tables)
   {
-    shares.push_back(&this->Shares.Of(side));
-    others.push_back(placeOf[OtherSide(side)]);
+    if (exitance.caustic.Of(0))
+    {
+      AddCaustics(exitance, table);
+    }
+    for (std::uint32_t& link : table.links)
+    {
+      link = placeOf[link]; // LinkTracer links no black side, and all others have a place
+    }
+    for (const std::uint32_t side : table.sides)
+    {
+      shares.push_back(&this->Shares.Of(side));
+      others.push_back(placeOf[OtherSide(side)]);
+    }
+    bytes += table.Bytes() + table.sides.size() * BytesOfSolvedSide +
+      table.sides.size() * LinkSolver::BytesPerSide(exitance.Replicates(), table.values);
+    largest = std::max(largest, table.Bytes());
   }
-  const LinkSolver solver(table, exitance.Replicates(), shares, others);
+  watch(bytes + largest);
+  const LinkSolver solver(tables, exitance.Replicates(), shares, others);
   const std::vector<float> arriving = solver.Arriving();
   const std::vector<float> leaving = solver.Leaving(arriving);
   for (std::uint32_t side = 0; side < placeOf.size(); ++side)
   {
     exitance.known[side] = placeOf[side] != NoSide || this->Shares.IsBlack(side);
   }
-  const std::size_t perSide = exitance.Replicates() * table.values;
-  ForEach(table.sides.size(),
-    [&](std::size_t k)
-    { Store(&leaving[k * perSide], &arriving[k * perSide], table.sides[k], exitance); });
+  std::size_t first = 0;
+  for (const LinkTable& table : tables)
+  {
+    const std::size_t perSide = exitance.Replicates() * table.values;
+    ForEach(table.sides.size(),
+      [&](std::size_t k)
+      {
+        const std::size_t place = (first + k) * perSide;
+        Store(&leaving[place], &arriving[place], table.sides[k], exitance);
+      });
+    first += table.sides.size();
+  }
 }
 
 } // namespace PhotonTransport

@@ -10,6 +10,7 @@
 #include "PhotonTransport/gathering/Viewers.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace PhotonTransport
@@ -32,19 +33,17 @@ public:
   /// Whether photons have hardly lit many of the sides that receivers see.
   bool PhotonsAreFew(const PhotonCounts& counts) const;
 
-  /// Bytes that Solve takes at most, if both sides of all cells count and rays meet one diffuse
-  /// facet each, or if one side does and sees outdoor facets through one opening. @param lamps That
-  /// are kept apart.
-  static std::uint64_t MemoryNeed(
-    std::size_t cells, std::size_t replicates, std::size_t channels, std::size_t lamps);
+  /// Is told how many bytes the links take as they become more, and may throw.
+  using Watch = std::function<void(std::uint64_t bytes)>;
 
   /// Replaces what photons tell of the exitance, but for caustics. Each replicate has its own rays.
-  void Solve(CellExitance& exitance) const;
+  void Solve(CellExitance& exitance, const Watch& watch) const;
 
 private:
   void AddRays(
     const Receiver& receiver, const GatherSequence& sequence, std::vector<Ray>& rays) const;
-  LinkTable FindLinks(const CellExitance& exitance, std::vector<std::uint32_t>& placeOf) const;
+  std::vector<LinkTable> FindLinks(const CellExitance& exitance,
+    std::vector<std::uint32_t>& placeOf, const Watch& watch) const;
 
   GatherScene Gathered;
   SharesOfSides Shares;

@@ -151,7 +151,7 @@ CellExitance FinalGathering::FirstPass(const GatherScene& scene, const Viewers& 
     const CellLinks links(scene, viewers, this->EffectsInUse, rays);
     if (links.PhotonsAreFew(counts))
     {
-      links.Solve(exitance);
+      links.Solve(exitance, this->OnLinks);
     }
   }
   return exitance;

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace PhotonTransport
@@ -52,6 +53,13 @@ public:
   FinalGathering(const Scene& scene, const FacetCells& cells, const Emitter& source,
     const Openings& openings, const Effects& effects, const GatherSettings& settings);
   ~FinalGathering();
+
+  /// From now on `watch` is told how many bytes links between cells take (CellLinks), as they become
+  /// more, and may throw.
+  void WatchLinks(std::function<void(std::uint64_t bytes)> watch)
+  {
+    this->OnLinks = std::move(watch);
+  }
 
   /// From now on these ranks share the work; they must outlive it.
   void ShareWith(Ranks& ranks) { this->Sharing = &ranks; }
@@ -101,6 +109,7 @@ private:
   std::unique_ptr<VertexReceivers> Receivers;
   GatheredMap FrontMap, BackMap;
   bool OfFirstPass = false; ///< Whether these are of the first pass alone.
+  std::function<void(std::uint64_t bytes)> OnLinks = [](std::uint64_t) {};
   Ranks Alone;
   Ranks* Sharing = &this->Alone;
 };

@@ -18,9 +18,10 @@ namespace PhotonTransport
 class LinkSolver
 {
 public:
-  /// All must outlive it. @param shares [side of the table] @param others [side of the table] The
-  /// place in the table of the other side of the same cell, or NoSide.
-  LinkSolver(const LinkTable& table, std::size_t replicates,
+  /// All must outlive it. @param tables Together the table of all sides. @param shares [side of the
+  /// table] @param others [side of the table] The place in the table of the other side of the same
+  /// cell, or NoSide.
+  LinkSolver(const std::vector<LinkTable>& tables, std::size_t replicates,
     const std::vector<const DiffuseShares*>& shares, const std::vector<std::uint32_t>& others);
 
   /// [side][replicate][channel][lamp] What arrives at sides. Solved by Jacobi's method, whose sums
@@ -30,10 +31,20 @@ public:
   /// What leaves sides diffusely, from what arrives there; the same order.
   std::vector<float> Leaving(const std::vector<float>& arriving) const;
 
-private:
-  void AddLinked(std::size_t row, const std::vector<float>& leaving, float* sum) const;
+  /// Bytes of the lists of a side while Arriving is at work.
+  static std::uint64_t BytesPerSide(std::size_t replicates, std::size_t values)
+  {
+    constexpr std::size_t Lists = 3; // what arrives, before and after a sweep, and leaves
+    return Lists * replicates * values * sizeof(float);
+  }
 
-  const LinkTable& Table;
+private:
+  std::vector<float> Direct() const;
+  void AddLinked(const LinkTable& table, std::size_t row, const std::vector<float>& leaving,
+    float* sum) const;
+
+  const std::vector<LinkTable>& Tables;
+  std::size_t Values, Lamps;
   std::size_t Replicates;
   const std::vector<const DiffuseShares*>& Shares;
   const std::vector<std::uint32_t>& Others;

@@ -91,39 +91,24 @@ LinkTracer::LinkTracer(const GatherScene& scene, const SharesOfSides& shares,
 {
 }
 
-void LinkTracer::Trace(const std::vector<std::uint32_t>& sides, LinkTable& table) const
+LinkTable LinkTracer::Trace(
+  const std::vector<std::uint32_t>& sides, std::size_t first, std::size_t number) const
 {
   constexpr std::size_t InChunk = 32;
-  constexpr std::size_t InSlice = 1024 * InChunk;
-  for (std::size_t slice = 0; slice < sides.size(); slice += InSlice)
-  {
-    const std::size_t end = std::min(sides.size(), slice + InSlice);
-    std::vector<LinkTable> chunks((end - slice + InChunk - 1) / InChunk);
-    ForEach(
-      chunks.size(),
-      [&](std::size_t chunk)
-      {
-        Workspace work(this->Gathered);
-        chunks[chunk] = this->Empty();
-        const std::size_t first = slice + chunk * InChunk;
-        for (std::size_t i = first; i < std::min(end, first + InChunk); ++i)
-        {
-          this->AddSide(sides[i], work, chunks[chunk]);
-        }
-      },
-      1);
-    for (const LinkTable& chunk : chunks)
+  std::vector<LinkTable> chunks((number + InChunk - 1) / InChunk);
+  ForEach(
+    chunks.size(),
+    [&](std::size_t chunk)
     {
-      table.Append(chunk);
-    }
-  }
-}
-
-LinkTable LinkTracer::EmptyFor(std::size_t sides) const
-{
-  LinkTable table = this->Empty();
-  table.Reserve(sides, this->Replicates, this->Strata * this->Strata);
-  return table;
+      Workspace work(this->Gathered);
+      chunks[chunk] = this->Empty();
+      for (std::size_t i = chunk * InChunk; i < std::min(number, (chunk + 1) * InChunk); ++i)
+      {
+        this->AddSide(sides[first + i], work, chunks[chunk]);
+      }
+    },
+    1);
+  return LinkTable::Of(chunks);
 }
 
 std::size_t LinkTracer::StrataFor(std::size_t cells, std::size_t replicates)
@@ -151,7 +136,7 @@ void LinkTracer::AddSide(std::uint32_t side, Workspace& work, LinkTable& table) 
   {
     table.direct.resize(table.direct.size() + table.values, 0.0f);
     this->AddReplicate(side, r, work, table);
-    table.ends.push_back(table.links.size());
+    table.ends.push_back(static_cast<std::uint32_t>(table.links.size()));
   }
 }
 

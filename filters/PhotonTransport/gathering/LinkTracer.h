@@ -27,11 +27,11 @@ public:
   LinkTracer(const GatherScene& scene, const SharesOfSides& shares, const CellExitance& exitance,
     std::size_t most, SidesMet& met);
 
-  /// Adds sides to a table. They come in slices, so that few are there twice.
-  void Trace(const std::vector<std::uint32_t>& sides, LinkTable& table) const;
-
-  /// With room for so many sides.
-  LinkTable EmptyFor(std::size_t sides) const;
+  /// The links of so many sides of a list. They are there twice for a while: no more than
+  /// SidesOfSlice should be traced at a time.
+  LinkTable Trace(
+    const std::vector<std::uint32_t>& sides, std::size_t first, std::size_t number) const;
+  static constexpr std::size_t SidesOfSlice = std::size_t{ 1 } << 13;
 
   /// Along each side of a square of strata, one ray in each: 16, 9 or 4 rays for each replicate of
   /// a side, so that the links of large scenes fit.

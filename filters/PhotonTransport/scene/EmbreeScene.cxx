@@ -265,6 +265,11 @@ const FacetPart& EmbreeScene::Part(std::uint32_t part) const
   return this->Impl->parts[part];
 }
 
+std::size_t EmbreeScene::NumberOfParts() const
+{
+  return this->Impl->parts.size();
+}
+
 void EmbreeScene::ForEachNear(
   const glm::vec3& point, float distance, const std::function<void(std::uint32_t)>& f) const
 {

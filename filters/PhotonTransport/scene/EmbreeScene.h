@@ -55,6 +55,7 @@ public:
     const glm::vec3& point, float distance, const std::function<void(std::uint32_t)>& f) const;
 
   const FacetPart& Part(std::uint32_t part) const;
+  std::size_t NumberOfParts() const;
 
 private:
   struct Implementation;

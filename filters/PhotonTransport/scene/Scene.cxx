@@ -319,6 +319,11 @@ void Scene::ForEachNear(
   this->Bvh->ForEachNear(point, distance, f);
 }
 
+std::size_t Scene::NumberOfParts() const
+{
+  return this->Bvh->NumberOfParts();
+}
+
 Scene::~Scene() = default;
 
 double Scene::SquareMetresPerSceneArea() const

@@ -116,6 +116,8 @@ public:
   {
     return this->CountGiven([](std::uint32_t) { return true; });
   }
+  /// In which those facets are traced that are large next to the origin; see PartsOfLargeFacets.
+  std::size_t NumberOfParts() const;
   /// Where the light of a hit counts: on the given facet of which the hit one is a part.
   RegisteredPlace PlaceOnGiven(const Hit& hit) const
   {

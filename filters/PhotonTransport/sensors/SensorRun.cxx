@@ -4,6 +4,7 @@
 #include "PhotonTransport/gathering/GatherPass.h"
 #include "PhotonTransport/gathering/ReportedLoop.h"
 #include "PhotonTransport/lights/Clearance.h"
+#include "PhotonTransport/transport/MemoryBudget.h"
 #include "PhotonTransport/transport/SecondPass.h"
 
 #include <algorithm>
@@ -21,8 +22,8 @@ TraceSettings SensorRun::WithCells(TraceSettings settings)
   return settings;
 }
 
-SensorRun::SensorRun(
-  const Scene& scene, const Lighting& lighting, const TraceSettings& settings, Openings openings)
+SensorRun::SensorRun(const Scene& scene, const Lighting& lighting, const TraceSettings& settings,
+  Openings openings, MemoryBudget* memory)
   : LitScene(scene)
   , Settings(WithCells(settings))
   , ToSky(std::move(openings))
@@ -32,6 +33,11 @@ SensorRun::SensorRun(
       GatherSettings{ this->Settings.seed, this->Settings.maximumPathLength, false, false,
         this->Settings.threads })
 {
+  if (memory)
+  {
+    memory->KnowScene(scene.NumberOfParts(), this->Cells->Number());
+    this->Gathering.WatchLinks([memory](std::uint64_t bytes) { memory->KnowLinks(bytes); });
+  }
   this->Sums = ReplicateSums(this->Settings.replicates, this->Tracer.EmptySums());
 }
 

@@ -19,6 +19,8 @@
 namespace PhotonTransport
 {
 
+class MemoryBudget;
+
 /// The light at points that are no part of the scene. A first pass by photons finds the light on
 /// cells of the surface, as for a map by Method::FinalGathering, and sensors gather from it. A map
 /// would be coarser: its values lie at the points of the user's mesh, and a wall may have four.
@@ -30,9 +32,10 @@ public:
   using Progress = std::function<bool(double done)>;
 
   /// Throws InvalidInput as PhotonTracer does. @param scene Must outlive this. @param settings The
-  /// method is Method::FinalGathering, whatever they say. @param openings See IlluminationRun.
+  /// method is Method::FinalGathering, whatever they say. @param openings, memory See
+  /// IlluminationRun.
   SensorRun(const Scene& scene, const Lighting& lighting, const TraceSettings& settings,
-    Openings openings = {});
+    Openings openings = {}, MemoryBudget* memory = nullptr);
 
   /// From now on these ranks share the work; they must outlive it. Each makes the same calls, and
   /// all get the bits that one rank alone gets. A stop on any rank is one on all.

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/transport/GatheringMemory.h"
 
-#include "PhotonTransport/gathering/CellLinks.h"
 #include "PhotonTransport/gathering/LightPieces.h"
 #include "PhotonTransport/materials/Scattering.h"
-#include "PhotonTransport/registration/FacetCells.h"
 #include "PhotonTransport/registration/IlluminationSums.h"
 #include "PhotonTransport/threads/Threads.h"
 
@@ -27,15 +25,13 @@ struct Kinds
 constexpr std::uint64_t PerFacet =
   4 * sizeof(std::uint32_t) + sizeof(float) + 3 * sizeof(std::uint32_t) + sizeof(std::uint32_t);
 
-/// The ends of rings while they are made, and whether it is done.
-constexpr std::uint64_t PerVertex = 2 * sizeof(std::uint64_t) + sizeof(std::uint8_t);
+/// The ends of rings while they are made.
+constexpr std::uint64_t PerVertex = 2 * sizeof(std::uint64_t);
 
-/// The map of caustics. What a filter makes of it takes the place of hits.
-constexpr std::uint64_t CausticPerVertex = sizeof(double);
-
-/// A triangle that shines: its piece while the list grows, and two nodes of the hierarchy.
-constexpr std::uint64_t PerPiece = 2 * sizeof(LightPiece) +
-  2 * (sizeof(LightBounds) + 2 * sizeof(std::uint32_t)) + sizeof(std::uint32_t);
+/// A triangle that shines: its piece, two nodes of the hierarchy, its place in their order and the
+/// flux up to it. The list of pieces grows before there is a hierarchy, which takes more.
+constexpr std::uint64_t PerPiece = sizeof(LightPiece) +
+  2 * (sizeof(LightBounds) + 2 * sizeof(std::uint32_t)) + sizeof(std::uint32_t) + sizeof(double);
 
 /// The scene is not made yet: materials count that no facet may have.
 bool MayHaveCaustics(const Surface& surface, const TraceSettings& settings)
@@ -45,37 +41,39 @@ bool MayHaveCaustics(const Surface& surface, const TraceSettings& settings)
     { return (ScatteringsOf(material) & settings.scatterings & ~DiffuseScatterings) != 0; });
 }
 
-/// Both sides of a cell.
-std::uint64_t PerCell(const Kinds& kinds)
+/// What is counted stays. Threads have counts of their own, and lamps have them once more. The
+/// exitance is there while light is gathered.
+PhaseBytes PerCell(const Kinds& kinds)
 {
-  const std::uint64_t values = kinds.channels * kinds.parts;
-  const std::uint64_t counts = sizeof(std::uint32_t) * values * (kinds.replicates + kinds.lamps);
-  const std::uint64_t exitance = sizeof(std::uint8_t) + sizeof(float) +
-    sizeof(float) * values * (kinds.replicates + kinds.lamps);
-  return 2 * (counts + exitance);
+  constexpr std::uint64_t Sides = 2;
+  const std::uint64_t values = Sides * kinds.channels * kinds.parts;
+  const std::uint64_t known = Sides * (sizeof(std::uint8_t) + sizeof(float));
+  PhaseBytes bytes;
+  bytes.always = sizeof(std::uint32_t) * values * (kinds.replicates + kinds.lamps);
+  bytes.tracing = sizeof(std::uint32_t) * values * kinds.threads * (kinds.lamps + 1);
+  bytes.gathering = sizeof(float) * values * (kinds.replicates + kinds.lamps) + known;
+  return bytes;
 }
 
-/// Both sides of a cell, while light is traced.
-std::uint64_t PerCellOfThreads(const Kinds& kinds)
-{
-  return 2 * sizeof(std::uint32_t) * kinds.channels * kinds.parts * kinds.threads *
-    (kinds.lamps + 1);
-}
-
-/// A map of one side. While the next one is made there are two, but no outputs yet, which take
-/// more.
-std::uint64_t MapPerVertex(const Kinds& kinds)
+/// The map of one side, beside which the next one is made.
+PhaseBytes PerVertexOfMap(const Kinds& kinds)
 {
   const std::uint64_t colour = kinds.channels > 1 ? kinds.channels : 0;
-  return sizeof(double) * (3 + colour + kinds.lamps);
+  PhaseBytes bytes;
+  bytes.always = sizeof(double) * (3 + colour + kinds.lamps);
+  bytes.gathering = bytes.always + sizeof(std::uint8_t);
+  return bytes;
 }
 
 std::uint64_t PiecesOf(const Lamp& lamp, const Surface& surface)
 {
   const auto* mesh = std::get_if<EmittingMesh>(&lamp);
-  return std::holds_alternative<EmittingFacets>(lamp) ? surface.exitance.size()
-    : mesh                                            ? mesh->facets.size()
-                                                      : 1;
+  const auto shines = [](const Colour& exitance) { return exitance != Colour(0.0f); };
+  return std::holds_alternative<EmittingFacets>(lamp)
+    ? static_cast<std::uint64_t>(
+        std::count_if(surface.exitance.begin(), surface.exitance.end(), shines))
+    : mesh ? mesh->facets.size()
+           : 1;
 }
 
 } // namespace
@@ -90,25 +88,19 @@ GatheringNeed GatheringMemory(
   const Kinds kinds{ settings.replicates, static_cast<std::uint64_t>(ThreadCount(settings.threads)),
     colour ? LightLayers::Channels : 1, settings.lampsApart ? lighting.luminaires.size() : 0,
     MayHaveCaustics(surface, settings) ? 2u : 1u };
-  const std::uint64_t cells = FacetCells::MostFor(surface.facets.size());
   const std::uint64_t sides = settings.registerBackSide ? 2 : 1;
   const std::uint64_t onMap =
     surface.IsRefined() ? surface.given.points : std::uint64_t{ surface.points.size() };
-  std::uint64_t need = cells * PerCell(kinds) + surface.facets.size() * PerFacet +
-    surface.points.size() * PerVertex + onMap * sides * (MapPerVertex(kinds) + CausticPerVertex);
-  bool sky = false;
+  const PhaseBytes ofMap = PerVertexOfMap(kinds);
+  PhaseBytes whole;
+  whole.always = surface.facets.size() * PerFacet + surface.points.size() * PerVertex +
+    onMap * sides * ofMap.always;
+  whole.gathering = onMap * sides * ofMap.gathering;
   for (const Luminaire& luminaire : lighting.luminaires)
   {
-    need += PiecesOf(luminaire.lamp, surface) * PerPiece;
-    sky = sky || ClassOf(luminaire.lamp) == LampClass::Sky;
+    whole.always += PiecesOf(luminaire.lamp, surface) * PerPiece;
   }
-  if (sky)
-  {
-    // What mirrors, gloss and glass send on meets a further facet.
-    need +=
-      kinds.parts * CellLinks::MemoryNeed(cells, kinds.replicates, kinds.channels, kinds.lamps);
-  }
-  return { need, cells * PerCellOfThreads(kinds) };
+  return { whole, PerCell(kinds) };
 }
 
 } // namespace PhotonTransport

@@ -2,6 +2,7 @@
 #include "PhotonTransport/transport/IlluminationRun.h"
 
 #include "PhotonTransport/registration/FacetCells.h"
+#include "PhotonTransport/transport/MemoryBudget.h"
 #include "PhotonTransport/transport/SecondPass.h"
 #include "PhotonTransport/transport/Stopwatch.h"
 
@@ -20,8 +21,8 @@ constexpr double GatheringShare = 0.7;
 
 } // namespace
 
-IlluminationRun::IlluminationRun(
-  const Scene& scene, const Lighting& lighting, const TraceSettings& settings, Openings openings)
+IlluminationRun::IlluminationRun(const Scene& scene, const Lighting& lighting,
+  const TraceSettings& settings, Openings openings, MemoryBudget* memory)
   : LitScene(scene)
   , Settings(settings)
   , Cells(SecondPass::CellsFor(scene, settings))
@@ -33,6 +34,14 @@ IlluminationRun::IlluminationRun(
                            scene, *this->Cells, this->Tracer, settings, std::move(openings))
                        : nullptr)
 {
+  if (memory)
+  {
+    memory->KnowScene(scene.NumberOfParts(), this->Cells ? this->Cells->Number() : 0);
+  }
+  if (memory && this->Second)
+  {
+    this->Second->WatchLinks([memory](std::uint64_t bytes) { memory->KnowLinks(bytes); });
+  }
   this->Sums = ReplicateSums(settings.replicates, this->Tracer.EmptySums());
   this->Relight(lighting);
 }

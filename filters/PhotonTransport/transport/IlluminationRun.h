@@ -22,6 +22,7 @@ namespace PhotonTransport
 {
 
 struct AdaptiveLimits;
+class MemoryBudget;
 struct RefinedMap;
 class SecondPass;
 
@@ -44,9 +45,10 @@ class IlluminationRun
 public:
   /// Throws InvalidInput as PhotonTracer does. @param scene Must outlive the run.
   /// @param openings Through which light from afar enters: see FindOpenings. Without them the light
-  /// is the same, with more noise.
+  /// is the same, with more noise. @param memory Is told what becomes known of the need, and may
+  /// refuse it by an InvalidInput here and in what follows; or null. Must outlive the run.
   IlluminationRun(const Scene& scene, const Lighting& lighting, const TraceSettings& settings,
-    Openings openings = {});
+    Openings openings = {}, MemoryBudget* memory = nullptr);
   ~IlluminationRun();
 
   /// From now on these ranks share the work, until it is called again. Each must have the same run.

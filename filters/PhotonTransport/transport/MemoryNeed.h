@@ -2,45 +2,74 @@
 #pragma once
 
 #include "PhotonTransport/lights/Lamp.h"
-#include "PhotonTransport/registration/PhotonHit.h"
 #include "PhotonTransport/scene/Surface.h"
-#include "PhotonTransport/statistics/GroupMeans.h"
+#include "PhotonTransport/transport/GatheringMemory.h"
 #include "PhotonTransport/transport/TraceSettings.h"
 
+#include <algorithm>
 #include <cstdint>
-#include <optional>
 
 namespace PhotonTransport
 {
 
+/// Bytes that someone takes beside a run.
+struct MemoryBeside
+{
+  std::uint64_t always = 0;
+  std::uint64_t maps = 0; ///< In addition, once there are maps, these included.
+};
+
 /// Bytes that a Surface, its Scene, an IlluminationRun and the maps it gives take together at most,
-/// worked out from the Surface before the rest is allocated. This counts what grows with the
-/// surface, and not the few MiB that every process takes. @param surface Valid; see Validate.
-std::uint64_t MemoryNeed(
-  const Surface& surface, const Lighting& lighting, const TraceSettings& settings);
+/// with the error of facet size. All of it is worked out from the Surface before the rest is
+/// allocated, but for the second pass: how many cells it has is known once there is a scene, and
+/// how many links between them once these are found. This counts what grows with the surface, and
+/// not the few MiB that every process takes.
+class MemoryNeed
+{
+public:
+  /// Until more is known, as many parts of facets as there may be, one cell a facet, and no links.
+  /// @param surface Valid; see Validate.
+  MemoryNeed(
+    const Surface& surface, const Lighting& lighting, const TraceSettings& settings);
 
-/// Bytes more for each vertex if group means are asked for. They are there three times: as the core
-/// makes them, by point, and as arrays.
-constexpr std::uint64_t GroupMeansPerVertex = 3 * 2 * sizeof(GroupValues);
+  /// @param parts Of large facets; see Scene::NumberOfParts. @param cells See FacetCells; any number
+  /// in Method::PhotonTracing.
+  void SetScene(std::uint64_t parts, std::uint64_t cells)
+  {
+    this->Parts = parts;
+    this->Cells = cells;
+  }
+  /// The most that CellLinks told of.
+  void SetLinks(std::uint64_t bytes) { this->Links = std::max(this->Links, bytes); }
 
-/// Bytes more for each hit of a photon map: the hit, in a list that grows, and the arrays that a
-/// filter makes of it.
-constexpr std::uint64_t StoredPhotonNeed = 3 * sizeof(PhotonHit) + 14 * sizeof(double);
+  std::uint64_t Bytes(const MemoryBeside& beside = {}) const;
 
-/// Bytes that this process can still take without being killed or swapped out, by what Linux and
-/// its control groups say; nothing on other systems.
-std::optional<std::uint64_t> AvailableMemory();
+  /// What a filter's need depends on as well: points that have light, and facets that are traced.
+  std::uint64_t Points() const { return this->OnMap; }
+  std::uint64_t Facets() const { return this->Traced; }
+  bool HasColours() const { return this->Colour; }
 
-/// So many facets that a refined surface takes half of the memory. @param limit See RequireMemory.
+private:
+  void CountScene(const Surface& surface);
+  void CountSums(const Lighting& lighting, const TraceSettings& settings);
+  void CountMaps(const Surface& surface, const TraceSettings& settings);
+
+  std::uint64_t OnMap, Traced;
+  std::uint64_t Parts, Cells;
+  bool ColouredFacets, Colour;
+  std::uint64_t Links = 0;
+  std::uint64_t OfScene = 0; ///< With the Surface.
+  std::uint64_t Copies = 0;  ///< Of facets and points, if any facet has parts.
+  PhaseBytes Run;            ///< All but the second pass.
+  GatheringNeed Second;
+};
+
+/// So many facets that a refined surface takes half of the memory. @param limit See MemoryLimit.
 std::uint64_t MostRefinedFacets(std::uint64_t limit);
 
 /// So many facets of a map that is refined where its light varies fit the memory that is left,
 /// about.
-/// @param limit See RequireMemory. @param need What the run takes already.
+/// @param limit See MemoryLimit. @param need What the run takes already.
 std::uint64_t MostAdaptiveFacets(std::uint64_t limit, std::uint64_t need);
-
-/// Throws InvalidInput that names both numbers if the need is above the limit. @param limit Bytes;
-/// 0 is AvailableMemory(), or no limit where that is not known.
-void RequireMemory(std::uint64_t need, std::uint64_t limit);
 
 } // namespace PhotonTransport

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace PhotonTransport
@@ -37,6 +38,11 @@ public:
     const TraceSettings& settings, Openings openings);
 
   void ShareWith(Ranks& ranks) { this->Gathering.ShareWith(ranks); }
+  /// See FinalGathering::WatchLinks.
+  void WatchLinks(std::function<void(std::uint64_t bytes)> watch)
+  {
+    this->Gathering.WatchLinks(std::move(watch));
+  }
 
   /// See FinalGathering::Gather.
   bool Gather(const ReplicateSums& counted, const FinalGathering::Progress& progress);
