@@ -30,8 +30,8 @@ def draw(table, path):
     build.set_ylabel("seconds")
     build.set_yscale("log")
     points = table["points"]
-    memory.plot(triangles, [b / p for b, p in zip(table["MemoryNeeded"], points)], "o--", color="tab:gray",
-                label="MemoryNeeded")
+    memory.plot(triangles, [b / p for b, p in zip(table["bytes told"], points)], "o--", color="tab:gray",
+                label="told")
     memory.plot(triangles, [b / p for b, p in zip(table["bytes"], points)], "o-", label="taken, 8 replicates")
     memory.set_ylabel("bytes a point")
     memory.set_ylim(bottom=0, top=2 * max(b / p for b, p in zip(table["MemoryNeeded"], points)))

@@ -124,7 +124,7 @@ TEST(IlluminationMapPhotons, AreNotThereUnlessAskedFor)
   map->SetMaximumPhotons(100000);
   map->Update();
   EXPECT_GT(Output(map, 2)->GetNumberOfPoints(), 0);
-  EXPECT_GT(FieldValue(map->GetOutputDataObject(0), "MemoryNeeded"), without + 100000 * 150.0);
+  EXPECT_GT(FieldValue(map->GetOutputDataObject(0), "MemoryNeeded"), without + 100000 * 140.0);
 }
 
 TEST(IlluminationMapPhotons, CarryTheFluxOfTheFlatMapToEachFacet)

@@ -23,7 +23,8 @@ SUITES = {  # those whose names do not tell the case
     "FilterNormals": 2, "FilterShapes": 3, "FilterDegenerate": 3, "FilterGhosts": 3,
     "FilterSheets": 3, "FilterPlace": 4, "FilterInput": 10,
     "FilterLife": 10, "FilterDeletion": 10, "FilterSettings": 10, "Fuzz": 11, "FilterFuzz": 11,
-    "FilterMemory": 12, "FilterWiring": 7, "LampPlace": 7, "FilterMissingLight": 7, "LargeSite": 4,
+    "FilterMemory": 12, "FilterMemoryOfKinds": 12, "FilterWiring": 7, "LampPlace": 7,
+    "FilterMissingLight": 7, "LargeSite": 4,
     "FilterSharedPlaces": 3, "FilterOverlaps": 3, "PhotometricVariants": 13,
     "PhotometricRobustness": 13, "SeveralRanks": 14, "ProcessEnd": 15,
 }

@@ -196,8 +196,7 @@ void vtkIlluminationMap::Execute(
     const PhotonTransport::StopReason reason = this->AdvanceRun(rules, region);
     this->WriteMap(blocks, lighting, reason, outputs);
     this->WritePhotons(blocks, lighting, outputs);
-    AddMemoryNeeded(
-      vtkDataObject::GetData(outputs)->GetFieldData(), this->Kept->Memory.Bytes());
+    AddMemoryNeeded(vtkDataObject::GetData(outputs)->GetFieldData(), this->Kept->Memory.Bytes());
     if (reason == PhotonTransport::StopReason::Paused)
     {
       this->StartBackground(rules);
@@ -205,6 +204,10 @@ void vtkIlluminationMap::Execute(
   }
   catch (const InvalidInput& error)
   {
+    if (this->Kept && !this->Kept->Memory.IsKept())
+    {
+      this->Kept.reset(); // so that another limit counts
+    }
     throw InputError(blocks.WordsFor(error));
   }
   catch (...) // out of memory, or another rank has failed
@@ -246,7 +249,8 @@ void vtkIlluminationMap::PrepareRun(const SceneBlocks& blocks,
   }
   const PhotonTransport::Surface& curved = this->Kept->Curved;
   this->Kept->Memory.SetBeside(MemoryOfOutputs(curved.IsRefined() ? curved : blocks.Surface(),
-    lighting, settings, this->Kept->Memory.OfRun().HasColours(), { this->GroupMeans, static_cast<std::uint64_t>(this->MaximumPhotons) }));
+    lighting, settings, this->Kept->Memory.OfRun().HasColours(),
+    { this->GroupMeans, static_cast<std::uint64_t>(this->MaximumPhotons) }));
 }
 
 void vtkIlluminationMap::MakeRun(const SceneBlocks& blocks,
@@ -268,7 +272,8 @@ void vtkIlluminationMap::MakeRun(const SceneBlocks& blocks,
   }
   const PhotonTransport::MemoryNeed need(surface, lighting, ofMemory);
   const PhotonTransport::MemoryBudget memory(need,
-    MemoryOfOutputs(surface, lighting, settings, need.HasColours(), { this->GroupMeans, static_cast<std::uint64_t>(this->MaximumPhotons) }),
+    MemoryOfOutputs(surface, lighting, settings, need.HasColours(),
+      { this->GroupMeans, static_cast<std::uint64_t>(this->MaximumPhotons) }),
     PhotonTransport::MemoryLimit(memoryLimit));
   const std::string text =
     "Building the scene, up to " + std::to_string(memory.Bytes() >> 20) + " MiB of memory";

@@ -123,14 +123,19 @@ std::optional<PhotonTransport::RefinedMap> vtkIlluminationMap::RefineMap(const S
   {
     return std::nullopt;
   }
+  PhotonTransport::MemoryBudget& memory = this->Kept->Memory;
+  memory.SetAdapted(0); // of an execution before
   PhotonTransport::AdaptiveLimits limits = this->MakeAdaptiveLimits();
   limits.facets = this->GetRanks().Least(std::min(limits.facets,
-    PhotonTransport::MostAdaptiveFacets(this->MemoryLimitInBytes(), this->Kept->Memory.Bytes())));
+    PhotonTransport::MostAdaptiveFacets(this->MemoryLimitInBytes(), memory.Bytes())));
   const bool isCurved = this->Kept->Curved.IsRefined();
-  return this->Kept->Run.Refine(isCurved ? this->Kept->Curved : blocks.Surface(), limits,
-    [report = ProgressReport(this)](std::uint64_t points) mutable
-    {
-      return report(
-        1.0, "Refining where light varies, " + std::to_string(points) + " points looked at");
-    });
+  std::optional<PhotonTransport::RefinedMap> refined =
+    this->Kept->Run.Refine(isCurved ? this->Kept->Curved : blocks.Surface(), limits,
+      [report = ProgressReport(this)](std::uint64_t points) mutable
+      {
+        return report(
+          1.0, "Refining where light varies, " + std::to_string(points) + " points looked at");
+      });
+  memory.SetAdapted(refined ? refined->mostFacets : 0);
+  return refined;
 }

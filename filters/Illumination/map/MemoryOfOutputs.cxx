@@ -20,8 +20,7 @@ using namespace PhotonTransport;
 constexpr std::uint64_t Number = sizeof(double); // of an array
 
 /// Point arrays that stay: see AddPointArrays.
-std::uint64_t ArraysPerPoint(
-  const Lighting& lighting, const TraceSettings& settings, bool colours)
+std::uint64_t ArraysPerPoint(const Lighting& lighting, const TraceSettings& settings, bool colours)
 {
   const bool byPhotons = settings.method == Method::PhotonTracing; // then colours have errors
   const std::uint64_t front = byPhotons ? 7 : 6;
@@ -33,8 +32,8 @@ std::uint64_t ArraysPerPoint(
 }
 
 /// Lists on the way to them: what is there at a time, beside the map of the front.
-std::uint64_t ListsPerPoint(const TraceSettings& settings, std::uint64_t map, bool colours,
-  bool groupMeans)
+std::uint64_t ListsPerPoint(
+  const TraceSettings& settings, std::uint64_t map, bool colours, bool groupMeans)
 {
   const std::uint64_t sides = 6 * Number + (settings.registerBackSide ? map : 0);
   constexpr std::uint64_t OfColours = 8 * Number;
@@ -72,7 +71,8 @@ MemoryBeside MemoryOfOutputs(const PhotonTransport::Surface& surface, const Ligh
   const std::uint64_t lists =
     points * (Number + map + ListsPerPoint(settings, map, colours, wanted.groupMeans));
   // While photons are followed once more there are materials by facet.
-  const std::uint64_t photons = wanted.photons == 0 ? 0
+  const std::uint64_t photons = wanted.photons == 0
+    ? 0
     : wanted.photons * PerHit(colours) + surface.facets.size() * sizeof(std::uint32_t);
   constexpr std::uint64_t HeapKeeps = 4; // a fourth of freed lists
   beside.maps = arrays + std::max(lists, lists / HeapKeeps + photons);

@@ -21,7 +21,8 @@ PhotonTransport::Surface SurfaceToTrace(
   const PhotonTransport::Surface& given, const TraceSettings& settings)
 {
   constexpr std::uint64_t WhatTheMachineHas = 0;
-  return settings.curvedSurface ? CurvedSurface(given, MostRefinedFacets(WhatTheMachineHas)) : given;
+  return settings.curvedSurface ? CurvedSurface(given, MostRefinedFacets(WhatTheMachineHas))
+                                : given;
 }
 
 } // namespace

@@ -93,6 +93,7 @@ bool AdaptiveGathering::Run(const GatherPass& pass, const GatherPass::Report& re
   {
     this->Refine(pass, report);
   }
+  this->Most = std::max(this->Most, this->Mesh().Facets().size());
   return true;
 }
 
@@ -170,6 +171,7 @@ bool AdaptiveGathering::Probe(const GatherPass& pass, const GatherPass::Report& 
     }
   }
   this->Needed = details.NeededMiddles(this->Samples.light.Number());
+  this->Most = mesh.Mesh().Facets().size();
   return true;
 }
 

@@ -50,6 +50,8 @@ public:
   GatheredMap Back() const;
   /// Whether more facets were wanted than are allowed.
   bool IsFull() const { return this->Full; }
+  /// Facets of the largest mesh that was there: that of short edges may be larger than the result.
+  std::size_t MostFacets() const { return this->Most; }
 
 private:
   using Marks = AdaptiveMesh::Marks;
@@ -82,6 +84,7 @@ private:
   std::vector<std::uint8_t> Needed; ///< [sample] See ProbedDetails.
   std::optional<LitMesh> Result;
   bool Full = false;
+  std::size_t Most = 0;
 };
 
 } // namespace PhotonTransport

@@ -42,8 +42,8 @@ public:
 private:
   void AddRays(
     const Receiver& receiver, const GatherSequence& sequence, std::vector<Ray>& rays) const;
-  std::vector<LinkTable> FindLinks(const CellExitance& exitance,
-    std::vector<std::uint32_t>& placeOf, const Watch& watch) const;
+  std::vector<LinkTable> FindLinks(
+    const CellExitance& exitance, std::vector<std::uint32_t>& placeOf, const Watch& watch) const;
 
   GatherScene Gathered;
   SharesOfSides Shares;

@@ -54,8 +54,8 @@ public:
     const Openings& openings, const Effects& effects, const GatherSettings& settings);
   ~FinalGathering();
 
-  /// From now on `watch` is told how many bytes links between cells take (CellLinks), as they become
-  /// more, and may throw.
+  /// From now on `watch` is told how many bytes links between cells take (CellLinks), as they
+  /// become more, and may throw.
   void WatchLinks(std::function<void(std::uint64_t bytes)> watch)
   {
     this->OnLinks = std::move(watch);

@@ -75,8 +75,8 @@ std::vector<float> LinkSolver::Arriving() const
 }
 
 /// @param row Of the table, [side][replicate]. @param sum [channel][lamp]
-void LinkSolver::AddLinked(const LinkTable& table, std::size_t row,
-  const std::vector<float>& leaving, float* sum) const
+void LinkSolver::AddLinked(
+  const LinkTable& table, std::size_t row, const std::vector<float>& leaving, float* sum) const
 {
   for (std::size_t l = row == 0 ? 0 : table.ends[row - 1]; l < table.ends[row]; ++l)
   {

@@ -40,8 +40,8 @@ public:
 
 private:
   std::vector<float> Direct() const;
-  void AddLinked(const LinkTable& table, std::size_t row, const std::vector<float>& leaving,
-    float* sum) const;
+  void AddLinked(
+    const LinkTable& table, std::size_t row, const std::vector<float>& leaving, float* sum) const;
 
   const std::vector<LinkTable>& Tables;
   std::size_t Values, Lamps;

@@ -8,8 +8,8 @@
 namespace PhotonTransport
 {
 
-/// The light of a number of sides of cells, and from which other sides it comes. A table of all sides
-/// is a list of these, so that no list is copied as it grows.
+/// The light of a number of sides of cells, and from which other sides it comes. A table of all
+/// sides is a list of these, so that no list is copied as it grows.
 struct LinkTable
 {
   std::size_t values = 1; ///< For each side and replicate: by channel and lamp.
@@ -17,8 +17,9 @@ struct LinkTable
   std::vector<std::uint32_t> sides; ///< In the order in which they were found.
   std::vector<float> direct;        ///< [side][replicate][channel][lamp]
   std::vector<std::uint32_t> ends;  ///< [side][replicate] In links.
-  std::vector<std::uint32_t> links; ///< Sides; once all are found, places among those of all tables.
-  std::vector<float> weights;       ///< [link][channel]
+  std::vector<std::uint32_t>
+    links;                    ///< Sides; once all are found, places among those of all tables.
+  std::vector<float> weights; ///< [link][channel]
 
   std::size_t Lamps() const { return this->values / this->channels; }
   std::uint64_t Bytes() const
@@ -53,8 +54,7 @@ struct LinkTable
 
 private:
   template <typename List>
-  static void Append(
-    const std::vector<LinkTable>& parts, List LinkTable::*list, LinkTable& all)
+  static void Append(const std::vector<LinkTable>& parts, List LinkTable::*list, LinkTable& all)
   {
     std::size_t size = 0;
     for (const LinkTable& part : parts)

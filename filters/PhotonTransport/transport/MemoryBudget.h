@@ -26,9 +26,14 @@ public:
 
   std::uint64_t Bytes() const { return this->Need.Bytes(this->Beside); }
   const MemoryNeed& OfRun() const { return this->Need; }
+  /// False once the run has been refused.
+  bool IsKept() const { return this->Limit.Allows(this->Bytes()); }
 
   /// Another execution of a filter may want other arrays of the same run.
   void SetBeside(const MemoryBeside& beside) { this->Beside = beside; }
+  /// See MemoryNeed; MostAdaptiveFacets keeps to the limit.
+  void SetAdapted(std::uint64_t facets) { this->Need.SetAdapted(facets); }
+
   void KnowScene(std::uint64_t parts, std::uint64_t cells)
   {
     this->Need.SetScene(parts, cells);

@@ -76,7 +76,7 @@ MemoryLimit::MemoryLimit(std::uint64_t limit)
 
 void MemoryLimit::Require(std::uint64_t need) const
 {
-  if (this->Most && need > *this->Most)
+  if (!this->Allows(need))
   {
     std::ostringstream message;
     message.precision(3);

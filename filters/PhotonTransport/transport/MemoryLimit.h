@@ -18,6 +18,7 @@ public:
   /// @param limit Bytes; 0 is AvailableMemory() as it is now, or no limit where that is not known.
   explicit MemoryLimit(std::uint64_t limit = 0);
 
+  bool Allows(std::uint64_t need) const { return !this->Most || need <= *this->Most; }
   /// Throws InvalidInput that names both numbers if the need is above the limit.
   void Require(std::uint64_t need) const;
 

@@ -2,10 +2,8 @@
 #include "PhotonTransport/transport/MemoryNeed.h"
 
 #include "PhotonTransport/effects/Effects.h"
-#include "PhotonTransport/geometry/Placement.h"
 #include "PhotonTransport/materials/Scattering.h"
 #include "PhotonTransport/refinement/FacetParts.h"
-#include "PhotonTransport/refinement/Subdivision.h"
 #include "PhotonTransport/registration/IlluminationSums.h"
 #include "PhotonTransport/scene/SceneRecords.h"
 #include "PhotonTransport/statistics/GroupMeans.h"
@@ -13,7 +11,6 @@
 #include "PhotonTransport/transport/MemoryLimit.h"
 #include "PhotonTransport/transport/SideSums.h"
 
-#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 #include <algorithm>
@@ -91,6 +88,22 @@ constexpr std::uint64_t OwnRingsPerFacet =
   sizeof(glm::uvec3) + sizeof(double) + 3 * sizeof(std::uint32_t);
 constexpr std::uint64_t OwnRingsPerVertex = 2 * sizeof(std::uint64_t);
 
+/// A facet of a mesh that is refined where the light varies: before and after it is divided, its
+/// edges, the light at their middles, and what a filter makes of it. Up to 320 measured, with what
+/// else light is known of, and 490 with what the heap keeps of lists that grow.
+std::uint64_t PerAdaptedFacet(const Lighting& lighting, const TraceSettings& settings, bool colour)
+{
+  constexpr std::uint64_t Plain = 330, OfBack = 80, OfColour = 60, OfLamp = 20;
+  return Plain + (settings.registerBackSide ? OfBack : 0) + (colour ? OfColour : 0) +
+    (settings.lampsApart ? OfLamp * lighting.luminaires.size() : 0);
+}
+std::uint64_t HeapKeepsOfAdapted(std::uint64_t facets)
+{
+  constexpr std::uint64_t PerFacet = 200;
+  constexpr std::uint64_t Most = std::uint64_t{ 1 } << 27;
+  return std::min(facets * PerFacet, Most);
+}
+
 bool AnyFacetIsColoured(const Surface& surface)
 {
   std::size_t facet = 0;
@@ -99,25 +112,6 @@ bool AnyFacetIsColoured(const Surface& surface)
     ++facet;
   }
   return facet < surface.facets.size();
-}
-
-/// Of how many parts facets are at most that are traced in parts: large ones next to the scene's
-/// origin, of which most scenes have a few. See PartsOfLargeFacets.
-std::uint64_t MostParts(const Surface& surface)
-{
-  constexpr double Lengths = 1.5 * 1.75; // with a wide reserve
-  constexpr std::uint64_t PartsOfOne = 512;
-  const glm::dvec3 centre = FitPlacement(surface.points, surface.facets).centre;
-  std::uint64_t large = 0;
-  for (const glm::uvec3& facet : surface.facets)
-  {
-    const glm::dvec3 &a = surface.points[facet.x], &b = surface.points[facet.y],
-                     &c = surface.points[facet.z];
-    const double longest =
-      std::max({ glm::distance(a, b), glm::distance(b, c), glm::distance(c, a) });
-    large += !(Lengths * longest < glm::distance(a, centre));
-  }
-  return std::min<std::uint64_t>(surface.facets.size() / 8, PartsOfOne * large);
 }
 
 /// Whether the lamps' own maps tell the colours of all light; see PhotonTracer::LampsTellColours.
@@ -135,10 +129,10 @@ MemoryNeed::MemoryNeed(
   const Surface& surface, const Lighting& lighting, const TraceSettings& settings)
   : OnMap(surface.IsRefined() ? surface.given.points : surface.points.size())
   , Traced(surface.facets.size())
-  , Parts(MostParts(surface))
   , Cells(this->Traced)
   , ColouredFacets(AnyFacetIsColoured(surface))
   , Colour(SimulatesColour(this->ColouredFacets, lighting, settings))
+  , PerAdapted(PerAdaptedFacet(lighting, settings, this->Colour))
   , Second(GatheringMemory(surface, lighting, settings, this->Colour))
 {
   this->CountScene(surface);
@@ -163,8 +157,7 @@ void MemoryNeed::CountScene(const Surface& surface)
 void MemoryNeed::CountSums(const Lighting& lighting, const TraceSettings& settings)
 {
   const std::uint64_t sides = settings.registerBackSide ? 2 : 1;
-  const bool colour =
-    this->Colour && !LampsTellColours(lighting, settings, this->ColouredFacets);
+  const bool colour = this->Colour && !LampsTellColours(lighting, settings, this->ColouredFacets);
   const std::uint64_t layers = colour ? LightLayers::ColourLayers : 0;
   const std::uint64_t colours =
     colour ? settings.replicates * LightLayers::Channels * sizeof(FixedPoint) : 0;
@@ -183,9 +176,8 @@ void MemoryNeed::CountMaps(const Surface& surface, const TraceSettings& settings
   if (settings.method == Method::PhotonTracing)
   {
     this->Run.maps += this->OnMap * FacetErrorPerVertex;
-    this->Run.maps += surface.IsRefined()
-      ? this->Traced * OwnRingsPerFacet + this->OnMap * OwnRingsPerVertex
-      : 0;
+    this->Run.maps +=
+      surface.IsRefined() ? this->Traced * OwnRingsPerFacet + this->OnMap * OwnRingsPerVertex : 0;
   }
 }
 
@@ -193,11 +185,15 @@ std::uint64_t MemoryNeed::Bytes(const MemoryBeside& beside) const
 {
   const auto phase = [this](std::uint64_t PhaseBytes::*bytes)
   {
-    return this->Run.*bytes + this->Second.whole.*bytes + this->Cells * (this->Second.perCell.*bytes);
+    return this->Run.*bytes + this->Second.whole.*bytes +
+      this->Cells * (this->Second.perCell.*bytes);
   };
   const std::uint64_t tracing = phase(&PhaseBytes::tracing);
-  const std::uint64_t later = std::max({ phase(&PhaseBytes::gathering) + this->Links,
-    phase(&PhaseBytes::maps), beside.maps });
+  const std::uint64_t adapted =
+    this->Adapted * this->PerAdapted + HeapKeepsOfAdapted(this->Adapted);
+  const std::uint64_t later =
+    std::max({ phase(&PhaseBytes::gathering) + std::max(this->Links, adapted),
+      phase(&PhaseBytes::maps), beside.maps });
   const std::uint64_t copies = this->Parts > 0 ? this->Copies : 0;
   const std::uint64_t parts = this->Parts * PerPart + copies;
   const std::uint64_t building =

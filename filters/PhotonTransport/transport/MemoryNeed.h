@@ -20,20 +20,19 @@ struct MemoryBeside
 };
 
 /// Bytes that a Surface, its Scene, an IlluminationRun and the maps it gives take together at most,
-/// with the error of facet size. All of it is worked out from the Surface before the rest is
-/// allocated, but for the second pass: how many cells it has is known once there is a scene, and
-/// how many links between them once these are found. This counts what grows with the surface, and
-/// not the few MiB that every process takes.
+/// with the error of facet size. Nearly all of it is worked out from the Surface before the rest is
+/// allocated. Parts of large facets and the cells of a second pass are known once there is a scene,
+/// and how many links there are between cells once these are found. This counts what grows with the
+/// surface, and not the few MiB that every process takes.
 class MemoryNeed
 {
 public:
-  /// Until more is known, as many parts of facets as there may be, one cell a facet, and no links.
-  /// @param surface Valid; see Validate.
-  MemoryNeed(
-    const Surface& surface, const Lighting& lighting, const TraceSettings& settings);
+  /// Until more is known, no facet has parts, each has one cell, and there are no links. @param
+  /// surface Valid; see Validate.
+  MemoryNeed(const Surface& surface, const Lighting& lighting, const TraceSettings& settings);
 
-  /// @param parts Of large facets; see Scene::NumberOfParts. @param cells See FacetCells; any number
-  /// in Method::PhotonTracing.
+  /// @param parts Of large facets; see Scene::NumberOfParts. @param cells See FacetCells; any
+  /// number in Method::PhotonTracing.
   void SetScene(std::uint64_t parts, std::uint64_t cells)
   {
     this->Parts = parts;
@@ -41,6 +40,9 @@ public:
   }
   /// The most that CellLinks told of.
   void SetLinks(std::uint64_t bytes) { this->Links = std::max(this->Links, bytes); }
+
+  /// The most facets of a mesh that is refined where the light varies, see IlluminationRun::Refine.
+  void SetAdapted(std::uint64_t facets) { this->Adapted = facets; }
 
   std::uint64_t Bytes(const MemoryBeside& beside = {}) const;
 
@@ -55,9 +57,12 @@ private:
   void CountMaps(const Surface& surface, const TraceSettings& settings);
 
   std::uint64_t OnMap, Traced;
-  std::uint64_t Parts, Cells;
+  std::uint64_t Cells;
   bool ColouredFacets, Colour;
+  std::uint64_t PerAdapted; ///< Bytes.
+  std::uint64_t Parts = 0;
   std::uint64_t Links = 0;
+  std::uint64_t Adapted = 0;
   std::uint64_t OfScene = 0; ///< With the Surface.
   std::uint64_t Copies = 0;  ///< Of facets and points, if any facet has parts.
   PhaseBytes Run;            ///< All but the second pass.

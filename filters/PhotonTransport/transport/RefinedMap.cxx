@@ -134,6 +134,7 @@ std::optional<RefinedMap> IlluminationRun::Refine(const Surface& surface,
   RefinedMap refined;
   refined.mesh = MeshOf(adaptive.Mesh(), surface);
   refined.isCoarse = adaptive.IsFull();
+  refined.mostFacets = adaptive.MostFacets();
   const PhotonValues photons(
     refined.mesh, surface.IsRefined() ? surface.given.facets : surface.facets);
   const GatheredMap front = adaptive.Front();

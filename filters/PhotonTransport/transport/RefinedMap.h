@@ -17,6 +17,8 @@ struct RefinedMap
 {
   RefinedMesh mesh; ///< Its origins are parts of the given facets.
   bool isCoarse;    ///< Whether more facets were wanted than were allowed.
+  /// Of the largest mesh on the way; see AdaptiveGathering::MostFacets.
+  std::size_t mostFacets;
 
   IlluminationMap front;
   IlluminationMap back;                             ///< Empty unless the back is registered.
