@@ -34,7 +34,7 @@ def draw(table, path):
                 label="told")
     memory.plot(triangles, [b / p for b, p in zip(table["bytes"], points)], "o-", label="taken, 8 replicates")
     memory.set_ylabel("bytes a point")
-    memory.set_ylim(bottom=0, top=2 * max(b / p for b, p in zip(table["MemoryNeeded"], points)))
+    memory.set_ylim(bottom=0, top=2 * max(b / p for b, p in zip(table["bytes told"], points)))
     for axes in (rate, build, memory):
         axes.set_xscale("log")
         axes.set_xlabel("triangles")

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a run takes: told before, not exceeded, refused where it is too much, and given back.
-#include "FilterTools.h"
-#include "ProcessMemory.h"
+#include "FilterMemoryTools.h"
 
 #include "PhotonTransport/scene/InvalidInput.h"
 #include "PhotonTransport/transport/MemoryLimit.h"
@@ -9,63 +8,13 @@
 #include "vtkLuminaireSource.h"
 
 #include "vtkReverseSense.h"
-#include "vtkSphereSource.h"
 
-#include <cmath>
-#include <functional>
 #include <limits>
-#include <string>
 
 using namespace ProcessMemory;
 
 namespace
 {
-
-#if defined(__SANITIZE_ADDRESS__)
-/// It keeps freed memory for a while, and looks for leaks by itself.
-constexpr bool MeasuresMemory = false;
-#else
-constexpr bool MeasuresMemory = true;
-#endif
-
-class FilterMemory : public FilterTest
-{
-protected:
-  FilterMemory()
-    : FilterTest("a run that the system ends for want of memory; memory that is not given back")
-  {
-  }
-
-  void SetUp() override
-  {
-    this->FilterTest::SetUp();
-    if (Status("VmRSS:") == 0.0)
-    {
-      GTEST_SKIP() << "this system does not tell what a process takes";
-    }
-  }
-
-  double Needed() const { return FieldValue(this->Filter->GetOutput(), "MemoryNeeded"); }
-
-  /// The run on a surface takes no more than it said, and no less than a share of that.
-  void ExpectTaken(vtkPolyData* surface, double least)
-  {
-    this->Filter->SetInputData(SmallSphere());
-    this->ExpectMap(); // what every process takes: libraries, threads
-    GiveBack();
-    const double before = Status("VmRSS:");
-    ForgetPeak();
-    this->Filter->SetInputData(surface);
-    this->ExpectMap();
-    const double taken = Status("VmHWM:") - before;
-    // Without the numbers, which differ from run to run: the table shall not.
-    this->Measured("between " + std::to_string(std::lround(100.0 * least)) +
-      " % and all of what it said was taken");
-    // VTK's own cutting and copying comes before, and is no more than this run.
-    EXPECT_LT(taken, this->Needed());
-    EXPECT_GT(taken, least * this->Needed()) << "it would refuse what could be run";
-  }
-};
 
 /// The lower half of a ball as a bowl that is open to the sky, 128 thousand triangles. There are
 /// few around the rim, which is an opening: each edge of an opening takes time.
@@ -83,85 +32,7 @@ vtkSmartPointer<vtkPolyData> LargeBowl()
   return inside->GetOutput();
 }
 
-/// 1000 x 500 points and nearly a million triangles, or fewer.
-vtkSmartPointer<vtkPolyData> LargeSphere(int around = 1000, int along = 500)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(around);
-  sphere->SetPhiResolution(along);
-  sphere->Update();
-  return sphere->GetOutput();
-}
-
-void Gather(vtkIlluminationMap* filter)
-{
-  filter->SetMethod(vtkIlluminationMap::FINAL_GATHERING);
-  filter->SetGatherRays(16);
-}
-
-/// Four lamps, which are kept apart, one of them coloured.
-void AddLamps(vtkIlluminationMap* filter)
-{
-  filter->SetLampContributions(true);
-  for (int i = 0; i < 4; ++i)
-  {
-    vtkNew<vtkLuminaireSource> lamp;
-    lamp->SetType(vtkLuminaireSource::POINT);
-    lamp->SetPosition(0.05 * i, 0.1, -0.1);
-    lamp->SetLightColour(1.0, i == 0 ? 0.5 : 1.0, 1.0);
-    filter->AddLuminaireConnection(lamp->GetOutputPort());
-  }
-}
-
-/// What a run may have in addition.
-struct Kind
-{
-  const char* name;
-  std::function<void(vtkIlluminationMap*)> set;
-  double least = 0.8; ///< Share of what it said that it takes.
-};
-
-const Kind Kinds[] = {
-  { "EightThreadsWithoutGroupMeans",
-    [](vtkIlluminationMap* filter)
-    {
-      filter->SetNumberOfThreads(8);
-      filter->SetGroupMeans(false);
-    } },
-  { "LampsApartInColours", AddLamps },
-  { "PhotonMap",
-    [](vtkIlluminationMap* filter)
-    {
-      filter->SetPhotons(300'000);
-      filter->SetMaximumPhotons(500'000);
-    } },
-  { "CurvedPatches", [](vtkIlluminationMap* filter) { filter->SetCurvedSurface(true); } },
-  { "Gathered", Gather },
-  { "GatheredLampsApartInColours",
-    [](vtkIlluminationMap* filter)
-    {
-      Gather(filter);
-      AddLamps(filter);
-    } },
-  { "GatheredAndRefined",
-    [](vtkIlluminationMap* filter)
-    {
-      Gather(filter);
-      filter->SetAdaptiveRefinement(true);
-    },
-    0.7 }, // at how many middles of edges there is light is not counted
-};
-
-class FilterMemoryOfKinds
-  : public FilterMemory
-  , public ::testing::WithParamInterface<Kind>
-{
-};
-
 } // namespace
-
-INSTANTIATE_TEST_SUITE_P(Stability, FilterMemoryOfKinds, ::testing::ValuesIn(Kinds),
-  [](const ::testing::TestParamInfo<Kind>& instance) { return instance.param.name; });
 
 TEST_F(FilterMemory, NoMoreThanWasSaid)
 {
@@ -183,20 +54,6 @@ TEST_F(FilterMemory, NoMoreThanWasSaid)
     this->Filter->SetRegisterBackSide(c.back);
     this->ExpectTaken(large, 0.8);
   }
-}
-
-TEST_P(FilterMemoryOfKinds, NoMoreThanWasSaid)
-{
-  if (!MeasuresMemory)
-  {
-    GTEST_SKIP() << "not with the address sanitizer";
-  }
-  this->LightMayBeMissing = true;
-  this->Filter->SetLampType(vtkIlluminationMap::POINT);
-  this->Filter->SetLampPosition(0.05, 0.1, -0.1);
-  this->Filter->SetNumberOfThreads(2);
-  GetParam().set(this->Filter);
-  this->ExpectTaken(LargeSphere(400, 250), GetParam().least);
 }
 
 // The second pass; and under a sky the links of its first pass.

@@ -686,10 +686,11 @@ public:
    * GiB of memory that the input's triangles, the run and its results may take together, >= 0; 0 is
    * what the machine has available (on Linux; no limit on other systems). What they need at most is
    * worked out when the input has been cut into triangles, which take about a tenth of it. A run
-   * that needs more is refused before the rest is allocated. MemoryNeeded tells the need. A run
-   * that goes on from what it has is not checked again. With CurvedSurface, facets have no more
-   * parts than surely fit, at worst none, which Effects tells; a run that has fewer for that reason
-   * does not go on with another limit. Default: 0.
+   * that needs more is refused before the rest is allocated; the cells of Final Gathering count
+   * once there is a scene, and under a sky links between them as they are found. MemoryNeeded tells
+   * the need. A run that goes on from what it has is not checked again. With CurvedSurface, facets
+   * have no more parts than surely fit, at worst none, which Effects tells; a run that has fewer
+   * for that reason does not go on with another limit. Default: 0.
    */
   virtual void SetMemoryLimit(double limit) { this->SetAndKeepRun(this->MemoryLimit, limit); }
   vtkGetMacro(MemoryLimit, double);

@@ -41,6 +41,9 @@ std::uint64_t HeapKeeps(std::uint64_t facets)
   return std::min(facets * PerFacet + std::min(facets * PerFacetOfFew, OfFew), Most);
 }
 
+/// While threads have sums it keeps a part, as large as a 16th of them, of lists from which the
+/// sums of replicates were made.
+constexpr std::uint64_t HeapKeepsOfSums = 16;
 /// What it keeps of the sums that threads give up: up to 0.4 of them measured, with 100 thousand
 /// points.
 std::uint64_t HeapKeepsOfThreads(std::uint64_t sums)
@@ -200,7 +203,8 @@ std::uint64_t MemoryNeed::Bytes(const MemoryBeside& beside) const
     this->Traced * (EmbreeBuildsPerFacet - EmbreeKeepsPerFacet) + copies;
   return beside.always + this->OfScene + parts +
     std::max(building,
-      phase(&PhaseBytes::always) + std::max(tracing, HeapKeepsOfThreads(tracing) + later));
+      phase(&PhaseBytes::always) +
+        std::max(tracing + tracing / HeapKeepsOfSums, HeapKeepsOfThreads(tracing) + later));
 }
 
 std::uint64_t MostRefinedFacets(std::uint64_t limit)
