@@ -73,7 +73,7 @@ class FilterMemoryOfKinds
 INSTANTIATE_TEST_SUITE_P(Stability, FilterMemoryOfKinds, ::testing::ValuesIn(Kinds),
   [](const ::testing::TestParamInfo<Kind>& instance) { return instance.param.name; });
 
-TEST_P(FilterMemoryOfKinds, NoMoreThanWasSaid)
+TEST_P(FilterMemoryOfKinds, NoMoreThanWasSaidOfEachKind)
 {
   if (!MeasuresMemory)
   {
