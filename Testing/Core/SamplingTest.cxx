@@ -152,6 +152,12 @@ TEST(PhotonSample, ManyTogetherAreThoseOneByOne)
             ASSERT_EQ(taken[i].EmissionBits(d), single.EmissionBits(d));
           }
           ASSERT_EQ(taken[i].Scatterings().At(3).survival, single.Scatterings().At(3).survival);
+          for (const unsigned pair : { 0u, 1u })
+          {
+            const auto number = [&](unsigned d) { return single.Emission(2 * pair + d); };
+            ASSERT_EQ(taken[i].OnDisk(pair), ConcentricDisk(number(0), number(1)));
+            ASSERT_EQ(single.OnDisk(pair), ConcentricDisk(number(0), number(1)));
+          }
         }
       }
       EXPECT_EQ(together.EmissionBits(6), single.EmissionBits(6));

@@ -56,8 +56,7 @@ Prepared<ConeEmitter> SpotLamp::Prepare(const Scene& scene) const
 Ray ConeEmitter::Emit(const PhotonSample& sample, const Share&) const
 {
   return RayFrom(this->position,
-    this->axis.ToWorld(
-      PowerCosineCone(sample.Emission(0), sample.Emission(1), this->exponent, this->cosMax)));
+    this->axis.ToWorld(PowerCosineConeAbove(sample.OnDisk(0), this->exponent, this->cosMax)));
 }
 
 Incidence ConeEmitter::Arriving(const glm::dvec3& point, float, float) const

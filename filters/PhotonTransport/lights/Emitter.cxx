@@ -140,16 +140,6 @@ void Emitter::SetPhotonShares(const std::vector<double>& shares)
   }
 }
 
-Emission Emitter::EmitThroughOpening(
-  const PhotonSample& sample, std::uint32_t source, const Share& share) const
-{
-  Emission emission;
-  emission.source = source;
-  emission.ray = this->ThroughOpenings(source)->Emit(sample, share);
-  this->GiveColour(emission, sample, share);
-  return emission;
-}
-
 Colour Emitter::ChannelShares(std::size_t lamp, const Colour* own) const
 {
   if (this->SharesOfLamps.empty())

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <string>
 #include <variant>
 #include <vector>
@@ -94,49 +95,70 @@ public:
   Emission Emit(const PhotonSample& sample) const
   {
     Emission emission;
-    Share share;
-    if (this->StartWeightOfSource.size() > 1)
-    {
-      const std::size_t source = this->Table.At(share.PlaceOf(sample));
-      share = { this->Table.Begin(source), this->Table.End(source) - this->Table.Begin(source) };
-      emission.source = static_cast<std::uint32_t>(source);
-      if (source >= this->Emitters.size())
+    this->Emit(&sample, 1, &emission.ray,
+      [&](std::size_t, std::uint32_t source, const Colour& shares)
       {
-        return this->EmitThroughOpening(sample, emission.source, share);
+        emission.source = source;
+        emission.shares = shares;
+      });
+    return emission;
+  }
+
+  /// Emits a photon for each sample. @param rays Takes their rays.
+  /// @param store Called as store(i, source, shares), see Emission, for each photon in turn.
+  template <typename Store>
+  void Emit(const PhotonSample* samples, std::size_t count, Ray* rays, const Store& store) const
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      std::uint32_t source = 0;
+      Share share;
+      if (this->StartWeightOfSource.size() > 1)
+      {
+        source = static_cast<std::uint32_t>(this->Table.At(share.PlaceOf(samples[i])));
+        share = { this->Table.Begin(source), this->Table.End(source) - this->Table.Begin(source) };
       }
+      this->EmitFrom(source, samples[i], share, rays[i]);
+      store(i, source, this->ColourOf(source, samples[i], share));
     }
-    return this->EmitFrom(sample, emission.source, share);
   }
 
   /// A photon of one source alone.
   Emission EmitOf(const PhotonSample& sample, std::uint32_t source) const
   {
-    return source < this->Emitters.size() ? this->EmitFrom(sample, source, Share())
-                                          : this->EmitThroughOpening(sample, source, Share());
+    Emission emission;
+    emission.source = source;
+    this->EmitFrom(source, sample, Share(), emission.ray);
+    emission.shares = this->ColourOf(source, sample, Share());
+    return emission;
   }
 
 private:
-  Emission EmitFrom(const PhotonSample& sample, std::uint32_t lamp, const Share& share) const
+  /// The ray is made in its place, since a copy would wait for what was just written.
+  void EmitFrom(
+    std::uint32_t source, const PhotonSample& sample, const Share& share, Ray& ray) const
   {
-    Emission emission;
-    emission.source = lamp;
-    emission.ray = std::visit(
-      [&](const auto& emitter) { return emitter.Emit(sample, share); }, this->Emitters[lamp]);
-    this->GiveColour(emission, sample, share);
-    return emission;
-  }
-  Emission EmitThroughOpening(
-    const PhotonSample& sample, std::uint32_t source, const Share& share) const;
-  void AddParts();
-  void GiveColour(Emission& emission, const PhotonSample& sample, const Share& share) const
-  {
-    if (!this->SharesOfLamps.empty())
+    if (source < this->Emitters.size())
     {
-      const std::uint32_t lamp = this->LampOf(emission.source);
-      emission.shares = this->ChannelShares(lamp,
-        std::visit([&](const auto& emitter) { return emitter.OwnColour(sample, share); },
-          this->Emitters[lamp]));
+      std::visit([&](const auto& emitter) { ::new (&ray) Ray(emitter.Emit(sample, share)); },
+        this->Emitters[source]);
     }
+    else
+    {
+      ::new (&ray) Ray(this->ThroughOpenings(source)->Emit(sample, share));
+    }
+  }
+  void AddParts();
+  Colour ColourOf(std::uint32_t source, const PhotonSample& sample, const Share& share) const
+  {
+    if (this->SharesOfLamps.empty())
+    {
+      return this->ChannelShares(0);
+    }
+    const std::uint32_t lamp = this->LampOf(source);
+    return this->ChannelShares(lamp,
+      std::visit([&](const auto& emitter) { return emitter.OwnColour(sample, share); },
+        this->Emitters[lamp]));
   }
 
   std::vector<LampEmitter> Emitters;

@@ -182,8 +182,7 @@ Ray FacetEmitter::Emit(const PhotonSample& sample, const Share& share) const
   const glm::vec2 b = UniformTriangle(sample.Emission(0), sample.Emission(1));
   const glm::vec3 barycentric(std::max(0.0f, 1.0f - b.x - b.y), b.x, b.y);
   return { this->scene->SafeOrigin(facet, barycentric, true),
-    Frame(this->scene->Facets()[facet].normal)
-      .ToWorld(CosineHemisphere(sample.Emission(2), sample.Emission(3))) };
+    Frame(this->scene->Facets()[facet].normal).ToWorld(CosineHemisphereAbove(sample.OnDisk(1))) };
 }
 
 Ray MeshEmitter::Emit(const PhotonSample& sample, const Share& share) const
@@ -191,7 +190,7 @@ Ray MeshEmitter::Emit(const PhotonSample& sample, const Share& share) const
   const Triangle& triangle = this->triangles[this->table.At(share.PlaceOf(sample))];
   const glm::dvec2 b(UniformTriangle(sample.Emission(0), sample.Emission(1)));
   const glm::vec3 direction =
-    Frame(triangle.normal).ToWorld(CosineHemisphere(sample.Emission(2), sample.Emission(3)));
+    Frame(triangle.normal).ToWorld(CosineHemisphereAbove(sample.OnDisk(1)));
   return RayFrom(triangle.corner + b.x * triangle.u + b.y * triangle.v, direction);
 }
 

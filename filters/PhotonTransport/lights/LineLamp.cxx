@@ -38,8 +38,7 @@ Ray LineEmitter::Emit(const PhotonSample& sample, const Share&) const
   const float azimuth = static_cast<float>(2.0 * Pi) * sample.Emission(1);
   const glm::vec3 normal = this->frame.ToWorld({ std::cos(azimuth), std::sin(azimuth), 0.0f });
   return RayFrom(this->centre + along * this->halfAxis,
-    Frame(glm::normalize(normal))
-      .ToWorld(CosineHemisphere(sample.Emission(2), sample.Emission(3))));
+    Frame(glm::normalize(normal)).ToWorld(CosineHemisphereAbove(sample.OnDisk(1))));
 }
 
 Incidence LineEmitter::Arriving(const glm::dvec3& point, float u, float) const

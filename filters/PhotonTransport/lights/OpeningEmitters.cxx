@@ -191,7 +191,7 @@ ScatteredThroughOpenings::ScatteredThroughOpenings(const Openings& openings, Sky
 Ray ScatteredThroughOpenings::Emit(const PhotonSample& sample, const Share& share) const
 {
   const Opening& opening = this->All[this->Choice.At(share.PlaceOf(sample))];
-  const glm::vec3 local = CosineHemisphere(sample.Emission(2), sample.Emission(3));
+  const glm::vec3 local = CosineHemisphereAbove(sample.OnDisk(1));
   return { PointOn(opening, sample), Frame(-opening.normal).ToWorld(local) };
 }
 

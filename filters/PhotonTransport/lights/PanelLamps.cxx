@@ -109,7 +109,7 @@ Ray PanelEmitter::Emit(const PhotonSample& sample, const Share&) const
   const glm::dvec2 p(
     this->round ? ConcentricDisk(u, v) : glm::vec2(2.0f * u - 1.0f, 2.0f * v - 1.0f));
   return RayFrom(this->centre + p.x * this->acrossU + p.y * this->acrossV,
-    this->frame.ToWorld(CosineHemisphere(sample.Emission(2), sample.Emission(3))));
+    this->frame.ToWorld(CosineHemisphereAbove(sample.OnDisk(1))));
 }
 
 Incidence PanelEmitter::Arriving(const glm::dvec3& point, float u, float v) const

@@ -50,7 +50,7 @@ Prepared<ParallelEmitter> ParallelLight::Prepare(const Scene& scene) const
 
 Ray ParallelEmitter::Emit(const PhotonSample& sample, const Share&) const
 {
-  const glm::vec2 p = ConcentricDisk(sample.Emission(0), sample.Emission(1));
+  const glm::vec2 p = sample.OnDisk(0);
   return { this->centre + p.x * this->acrossU + p.y * this->acrossV, this->direction };
 }
 

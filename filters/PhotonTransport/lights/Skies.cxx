@@ -40,7 +40,7 @@ double CrossSection(double radius, const Scene& scene)
 Ray OntoBall(const glm::vec3& from, float radius, const PhotonSample& sample)
 {
   const Frame frame(from);
-  const glm::vec2 p = radius * ConcentricDisk(sample.Emission(0), sample.Emission(1));
+  const glm::vec2 p = radius * sample.OnDisk(0);
   return { p.x * frame.tangent + p.y * frame.bitangent + radius * frame.normal, -frame.normal };
 }
 
@@ -153,7 +153,7 @@ std::vector<double> CieSky::Luminance(const std::vector<glm::dvec3>& towards) co
 
 Ray SkyEmitter::Emit(const PhotonSample& sample, const Share&) const
 {
-  glm::vec3 from = UniformSphere(sample.Emission(2), sample.Emission(3));
+  glm::vec3 from = UniformSphereAbove(sample.OnDisk(1));
   if (!this->wholeSphere)
   {
     from.z = std::fabs(from.z);

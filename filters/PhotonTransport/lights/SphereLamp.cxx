@@ -26,9 +26,9 @@ Prepared<SphereEmitter> SphereLamp::Prepare(const Scene& scene) const
 
 Ray SphereEmitter::Emit(const PhotonSample& sample, const Share&) const
 {
-  const glm::vec3 normal = glm::normalize(UniformSphere(sample.Emission(0), sample.Emission(1)));
+  const glm::vec3 normal = glm::normalize(UniformSphereAbove(sample.OnDisk(0)));
   return RayFrom(this->centre + this->radius * glm::dvec3(normal),
-    Frame(normal).ToWorld(CosineHemisphere(sample.Emission(2), sample.Emission(3))));
+    Frame(normal).ToWorld(CosineHemisphereAbove(sample.OnDisk(1))));
 }
 
 /// Places have even density by solid angle in the cone that the ball fills. Shirley, Wang and

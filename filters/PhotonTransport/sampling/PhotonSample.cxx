@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/sampling/PhotonSample.h"
 
+#include "PhotonTransport/sampling/Warps.h"
 #include "PhotonTransport/sampling/WideVectors.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace PhotonTransport
@@ -44,6 +46,7 @@ void PhotonSequence::DrawNumbers()
     this->Numbers[d] = low[d];
     this->Numbers[d + 4] = high[d];
   }
+  FindPointsOnDisk(this, 1);
 }
 
 void PhotonSequence::Scramble()
@@ -52,6 +55,7 @@ void PhotonSequence::Scramble()
   {
     this->Numbers[d] = OwenScramble(this->Point[d], this->Scrambles[d]);
   }
+  FindPointsOnDisk(this, 1);
 }
 
 void PhotonSequence::Advance()
@@ -107,6 +111,41 @@ inline void PhotonSequence::TakeFromSequence(PhotonSample* samples, std::size_t 
   std::memcpy(this->Point.data(), &point, sizeof point);
   OwenScrambleInPlace(point, seeds);
   std::memcpy(this->Numbers.data(), &point, sizeof point);
+  FindPointsOnDisk(samples, count);
+  FindPointsOnDisk(this, 1);
+}
+
+/// Warps the first two numbers of each photon onto the disk, and the next two.
+inline void PhotonSequence::FindPointsOnDisk(PhotonSample* samples, std::size_t count)
+{
+  constexpr std::size_t Together = 32;
+  constexpr std::size_t Pairs = 4;
+  alignas(64) std::array<float, Together * Pairs> numbers;
+  for (std::size_t first = 0; first < count; first += Together)
+  {
+    const std::size_t number = std::min(Together, count - first);
+    for (std::size_t i = 0; i < number; ++i)
+    {
+      for (unsigned d = 0; d < Pairs; ++d)
+      {
+        numbers[Pairs * i + d] = samples[first + i].Emission(d);
+      }
+    }
+    // Simple enough to become vector operations.
+    for (std::size_t i = 0; i < number * Pairs; i += Pairs)
+    {
+      const glm::vec2 a = ConcentricDisk(numbers[i], numbers[i + 1]);
+      const glm::vec2 b = ConcentricDisk(numbers[i + 2], numbers[i + 3]);
+      numbers[i] = a.x;
+      numbers[i + 1] = a.y;
+      numbers[i + 2] = b.x;
+      numbers[i + 3] = b.y;
+    }
+    for (std::size_t i = 0; i < number; ++i)
+    {
+      std::memcpy(&samples[first + i].PointsOnDisk, &numbers[Pairs * i], Pairs * sizeof(float));
+    }
+  }
 }
 
 } // namespace PhotonTransport

@@ -56,28 +56,35 @@ inline float SquaredRadius(const glm::vec2& p)
   return std::min(1.0f, p.x * p.x + p.y * p.y);
 }
 
-/// Directions about +z with density cos(theta)/pi by solid angle (Malley's method).
-inline glm::vec3 CosineHemisphere(float u, float v)
+/// The direction of CosineHemisphere that belongs to a point of the unit disk.
+inline glm::vec3 CosineHemisphereAbove(const glm::vec2& p)
 {
-  const glm::vec2 p = ConcentricDisk(u, v);
   return { p.x, p.y, std::sqrt(1.0f - SquaredRadius(p)) };
 }
 
-/// Directions with density 1/(4 pi) by solid angle.
-inline glm::vec3 UniformSphere(float u, float v)
+/// Directions about +z with density cos(theta)/pi by solid angle (Malley's method).
+inline glm::vec3 CosineHemisphere(float u, float v)
 {
-  const glm::vec2 p = ConcentricDisk(u, v);
+  return CosineHemisphereAbove(ConcentricDisk(u, v));
+}
+
+/// The direction of UniformSphere that belongs to a point of the unit disk.
+inline glm::vec3 UniformSphereAbove(const glm::vec2& p)
+{
   const float r2 = SquaredRadius(p);
   const float stretch = 2.0f * std::sqrt(1.0f - r2);
   return { stretch * p.x, stretch * p.y, 1.0f - 2.0f * r2 };
 }
 
-/// Directions about +z within theta <= thetaMax whose density is proportional to cos^n(theta) by
-/// solid angle: (n + 1) cos^n(theta) / (2 pi (1 - cos^(n+1)(thetaMax))).
-/// @param exponent n >= 0; above 0, cosMax must not be negative.
-inline glm::vec3 PowerCosineCone(float u, float v, float exponent, float cosMax)
+/// Directions with density 1/(4 pi) by solid angle.
+inline glm::vec3 UniformSphere(float u, float v)
 {
-  const glm::vec2 p = ConcentricDisk(u, v);
+  return UniformSphereAbove(ConcentricDisk(u, v));
+}
+
+/// The direction of PowerCosineCone that belongs to a point of the unit disk.
+inline glm::vec3 PowerCosineConeAbove(const glm::vec2& p, float exponent, float cosMax)
+{
   const float r2 = SquaredRadius(p);
   const float cosine = exponent == 0.0f
     ? 1.0f - r2 * (1.0f - cosMax)
@@ -88,11 +95,21 @@ inline glm::vec3 PowerCosineCone(float u, float v, float exponent, float cosMax)
   return { stretch * p.x, stretch * p.y, cosine };
 }
 
+/// Directions about +z within theta <= thetaMax whose density is proportional to cos^n(theta) by
+/// solid angle: (n + 1) cos^n(theta) / (2 pi (1 - cos^(n+1)(thetaMax))).
+/// @param exponent n >= 0; above 0, cosMax must not be negative.
+inline glm::vec3 PowerCosineCone(float u, float v, float exponent, float cosMax)
+{
+  return PowerCosineConeAbove(ConcentricDisk(u, v), exponent, cosMax);
+}
+
 /// Barycentric coordinates (of the second and third corner) uniform over a triangle, by folding
 /// the square along its diagonal.
 inline glm::vec2 UniformTriangle(float u, float v)
 {
-  return u + v < 1.0f ? glm::vec2(u, v) : glm::vec2(1.0f - u, 1.0f - v);
+  // Either way without rounding, and without a branch, which would go either way by chance.
+  const auto end = static_cast<float>(u + v >= 1.0f);
+  return { std::fabs(end - u), std::fabs(end - v) };
 }
 
 } // namespace PhotonTransport

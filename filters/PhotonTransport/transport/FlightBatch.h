@@ -27,13 +27,21 @@ struct FlightBatch
     const Emitter& source, PhotonSequence& sequence, std::size_t count, PhotonBalance* balances)
   {
     sequence.Take(this->emitted.data(), count);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const Emission emission = source.Emit(this->emitted[i]);
-      this->rays[this->flying] = emission.ray;
-      this->photons[this->flying++] = { this->emitted[i].Scatterings(), 0, OriginOf(emission) };
-      ++balances[emission.source].emitted;
-    }
+    const std::size_t first = this->flying;
+    this->flying += count;
+    source.Emit(this->emitted.data(), count, this->rays.data() + first,
+      [&](std::size_t i, std::uint32_t ofSource, const Colour& shares)
+      {
+        Flight& photon = this->photons[first + i];
+        photon.numbers = this->emitted[i].Scatterings();
+        photon.order = 0;
+        photon.origin.source = ofSource;
+        photon.origin.direct = true;
+        photon.origin.undiffused = true;
+        photon.origin.arrived = false;
+        photon.origin.shares = shares;
+        ++balances[ofSource].emitted;
+      });
   }
 
   std::size_t flying = 0;
