@@ -121,6 +121,7 @@ struct KeepHit
     this->segment.front = front;
     this->segment.direct = origin.direct;
   }
+  void Finish() const {}
   void Arrived(const PhotonTransport::Hit&, bool, const PhotonTransport::PhotonOrigin&) const {}
 };
 

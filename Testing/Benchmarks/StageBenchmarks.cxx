@@ -124,6 +124,7 @@ void RegistrationOf(benchmark::State& state)
     {
       registrar(batch[i].ray, batch[i].hit, batch[i].front, PhotonOrigin{ 0, 0, batch[i].direct });
     }
+    registrar.Finish();
     first = (first + Batch) % stage.segments.size();
   }
   CountItems(state, Batch);

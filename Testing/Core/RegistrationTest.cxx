@@ -18,6 +18,14 @@ namespace
 
 const glm::vec3 Middle(1.0f / 3.0f);
 
+template <Registration RegistrationKind>
+glm::vec3 WeightsOf(const Scene& scene, const RegisteredPlace& place, const glm::vec3& facetNormal,
+  const glm::vec3& towards)
+{
+  const FourNumbers weights = HitWeights<RegistrationKind>(scene, place, facetNormal, towards);
+  return { weights[0], weights[1], weights[2] };
+}
+
 float Total(const glm::vec3& weights)
 {
   return weights.x + weights.y + weights.z;
@@ -46,11 +54,11 @@ TEST(HitWeights, AreBarycentricOnAFlatSurface)
     {
       const glm::vec3 b(0.2f, 0.3f, 0.5f);
       const auto ratio =
-        HitWeights<Registration::FacetRatio>(scene, { facet.vertices, b }, facet.normal, towards);
-      const auto vertex = HitWeights<Registration::VertexNormalised>(
+        WeightsOf<Registration::FacetRatio>(scene, { facet.vertices, b }, facet.normal, towards);
+      const auto vertex = WeightsOf<Registration::VertexNormalised>(
         scene, { facet.vertices, b }, facet.normal, towards);
       EXPECT_EQ(
-        (HitWeights<Registration::Flat>(scene, { facet.vertices, b }, facet.normal, towards)), b);
+        (WeightsOf<Registration::Flat>(scene, { facet.vertices, b }, facet.normal, towards)), b);
       for (int corner = 0; corner < 3; ++corner)
       {
         EXPECT_NEAR(ratio[corner], b[corner], 1e-5f);
@@ -70,7 +78,7 @@ TEST(HitWeights, FacetRatioIsTheQuotientOfCosines)
   const glm::vec3 smooth = scene.Vertices()[facet.vertices.x].normal;
   const glm::vec3 towards = glm::normalize(facet.normal + 0.5f * smooth);
   const float m = glm::dot(towards, smooth) / glm::dot(towards, facet.normal);
-  EXPECT_NEAR(Total(HitWeights<Registration::FacetRatio>(
+  EXPECT_NEAR(Total(WeightsOf<Registration::FacetRatio>(
                 scene, { facet.vertices, corner }, facet.normal, towards)),
     m, 1e-5f);
   EXPECT_GT(std::fabs(m - 1.0f), 0.01f);
@@ -114,7 +122,7 @@ TEST(HitWeights, VertexNormalisedIsBoundedWhereNormalsFollowTheRing)
       {
         continue;
       }
-      const auto w = HitWeights<Registration::VertexNormalised>(
+      const auto w = WeightsOf<Registration::VertexNormalised>(
         scene, { facet.vertices, Middle }, facet.normal, towards);
       for (int corner = 0; corner < 3; ++corner)
       {
@@ -155,7 +163,7 @@ double SecondMoment(const Scene& scene, const glm::vec3& barycentric, float boun
     const glm::vec3 towards =
       frame.ToWorld(glm::dvec3(sine * std::cos(azimuth), sine * std::sin(azimuth), cosine));
     const double m = std::min(bound,
-      Total(HitWeights<RegistrationKind>(
+      Total(WeightsOf<RegistrationKind>(
         scene, { facet.vertices, barycentric }, facet.normal, towards)));
     sum += m * m * 2.0 * cosine * cosine * Decades / (Rings * Around);
   }
@@ -200,9 +208,9 @@ TEST(HitWeights, TreatBothSidesAlike)
     const Facet& out = outward.Facets()[f];
     const Facet& in = inward.Facets()[f];
     const glm::vec3 towards = glm::normalize(glm::vec3(0.3f, 0.2f, -0.1f) - out.normal);
-    const auto back = HitWeights<Registration::VertexNormalised>(
+    const auto back = WeightsOf<Registration::VertexNormalised>(
       outward, { out.vertices, Middle }, out.normal, -towards);
-    const auto front = HitWeights<Registration::VertexNormalised>(
+    const auto front = WeightsOf<Registration::VertexNormalised>(
       inward, { in.vertices, Middle }, in.normal, towards);
     EXPECT_NEAR(Total(back), Total(front), 1e-5f);
   }

@@ -54,6 +54,9 @@ public:
     }
   }
 
+  /// See Registrar.
+  void Finish() const { this->AtVertices.Finish(); }
+
   [[gnu::always_inline]] inline void Prefetch(const Hit& hit) const
   {
     if (hit)

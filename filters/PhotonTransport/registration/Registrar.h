@@ -2,6 +2,7 @@
 #pragma once
 
 #include "PhotonTransport/materials/Colour.h"
+#include "PhotonTransport/registration/HitWeights.h"
 #include "PhotonTransport/registration/IlluminationSums.h"
 #include "PhotonTransport/registration/Registration.h"
 #include "PhotonTransport/scene/Scene.h"
@@ -14,100 +15,6 @@
 
 namespace PhotonTransport
 {
-
-/// Area that the ring of `v` shows to light arriving from `towards`, over its whole area:
-/// sum (towards . a_f)^+ / sum |a_f|. Only grazing light needs this sum over the ring; otherwise
-/// Vertex::shownArea gives the same.
-inline float ShownArea(const Scene& scene, std::uint32_t v, const glm::vec3& towards)
-{
-  float sums[4] = {}; // side by side, since an addition waits for the one before
-  unsigned next = 0;
-  scene.ForEachAreaAround(v,
-    [&](const glm::vec3& area)
-    {
-      const float shown = glm::dot(towards, area);
-      sums[next] += shown > 0.0f ? shown : 0.0f;
-      next = (next + 1) % 4;
-    });
-  return (sums[0] + sums[1] + sums[2] + sums[3]) * scene.Vertices()[v].inverseThreeAreas;
-}
-
-/// The weights of HitWeights for Registration::FacetRatio.
-inline glm::vec3 FacetRatioWeights(const Scene& scene, const RegisteredPlace& place,
-  const glm::vec3& facetNormal, const glm::vec3& towards)
-{
-  glm::vec3 smooth(0.0f);
-  int flatCorners = 0;
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    const Vertex& vertex = scene.Vertices()[place.vertices[corner]];
-    smooth += place.barycentric[corner] * vertex.normal;
-    flatCorners += vertex.IsFlat();
-  }
-  if (flatCorners == 3)
-  {
-    return place.barycentric;
-  }
-  const float length = glm::length(smooth);
-  const float cosSmooth = glm::dot(towards, smooth);
-  if (!(cosSmooth > 0.0f && length > 0.0f))
-  {
-    return glm::vec3(0.0f);
-  }
-  const float cosFlat = std::max(0.0f, glm::dot(towards, facetNormal));
-  // Formula (2) as its text means it: the first s_norm is the smooth normal, the second the flat.
-  return std::min(cosSmooth / (length * cosFlat), LargestFactor) * place.barycentric;
-}
-
-/// The weights of HitWeights for Registration::VertexNormalised.
-inline glm::vec3 VertexNormalisedWeights(
-  const Scene& scene, const RegisteredPlace& place, const glm::vec3& towards)
-{
-  glm::vec3 weights(0.0f);
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    const std::uint32_t v = place.vertices[corner];
-    const Vertex& vertex = scene.Vertices()[v];
-    if (vertex.IsFlat())
-    {
-      weights[corner] = place.barycentric[corner];
-      continue;
-    }
-    const float cosine = glm::dot(towards, vertex.normal);
-    if (!(cosine > 0.0f))
-    {
-      continue;
-    }
-    const float shown =
-      cosine >= vertex.sinTilt ? glm::dot(towards, vertex.shownArea) : ShownArea(scene, v, towards);
-    // The hit facet is in the ring, so only rounding at grazing incidence can bring this to 0.
-    weights[corner] =
-      place.barycentric[corner] * std::min(cosine / std::max(0.0f, shown), LargestFactor);
-  }
-  return weights;
-}
-
-/// Weights of one hit for the three vertices of its facet, before the bound. Each is within
-/// [0, LargestFactor] times its barycentric coordinate. @param facetNormal Of the facet that was
-/// hit. @param towards Unit, on the front of the facet: back along the ray for a hit on the front,
-/// along it for a hit on the back.
-template <Registration RegistrationKind>
-glm::vec3 HitWeights(const Scene& scene, const RegisteredPlace& place, const glm::vec3& facetNormal,
-  const glm::vec3& towards)
-{
-  if constexpr (RegistrationKind == Registration::Flat)
-  {
-    return place.barycentric;
-  }
-  else if constexpr (RegistrationKind == Registration::FacetRatio)
-  {
-    return FacetRatioWeights(scene, place, facetNormal, towards);
-  }
-  else
-  {
-    return VertexNormalisedWeights(scene, place, towards);
-  }
-}
 
 /// Where a photon comes from, as far as registration needs it.
 struct PhotonOrigin
@@ -144,19 +51,48 @@ public:
   {
   }
 
+  /// Registers a hit, or puts it off until Finish().
   /// @param corners The corners of the facet that count, as bits: 1 << i for corner i.
   void operator()(const Ray& ray, const Hit& hit, bool front, const PhotonOrigin& photon,
     unsigned corners = AllCorners) const
   {
-    if (front)
+    if (!front && !BackSide)
     {
-      this->Register(
-        hit, -ray.direction, photon, this->Sums.front, this->Layers.HasColour(), corners);
+      return;
     }
-    else if constexpr (BackSide)
+    const glm::vec3 towards = front ? -ray.direction : ray.direction;
+    const RegisteredPlace place = this->LitScene.PlaceOnGiven(hit);
+    if (NeedsRings<RegistrationKind>(this->LitScene, place, towards))
     {
-      this->Register(hit, ray.direction, photon, this->Sums.back, false, corners);
+      this->Grazing.push_back({ hit, towards, front, photon, corners });
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        this->LitScene.PrefetchRing(place.vertices[corner]);
+      }
     }
+    else
+    {
+      this->Register(hit, place, towards, front, photon, corners);
+    }
+  }
+
+  /// Registers what has been put off: light so grazing that it takes sums over rings. Their memory
+  /// is far apart, and arrives for many hits at once.
+  void Finish() const
+  {
+    for (const GrazingHit& grazing : this->Grazing)
+    {
+      const glm::uvec3& vertices = this->LitScene.GivenVertices(grazing.hit.facet);
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        this->LitScene.PrefetchAreasOfRing(vertices[corner]);
+      }
+    }
+    for (const auto& [hit, towards, front, photon, corners] : this->Grazing)
+    {
+      this->Register(hit, this->LitScene.PlaceOnGiven(hit), towards, front, photon, corners);
+    }
+    this->Grazing.clear();
   }
 
   /// Called once for each hit after which a photon may go on, with the facet that decides of it.
@@ -177,16 +113,36 @@ public:
   }
 
 private:
-  void Register(const Hit& hit, const glm::vec3& towards, const PhotonOrigin& photon,
-    std::vector<VertexSums>& sums, bool layers, unsigned corners) const
+  /// The arguments of Register.
+  struct GrazingHit
   {
+    Hit hit;
+    glm::vec3 towards; ///< See HitWeights.
+    bool front;
+    PhotonOrigin photon;
+    unsigned corners;
+  };
+
+  void Register(const Hit& hit, const RegisteredPlace& place, const glm::vec3& towards, bool front,
+    const PhotonOrigin& photon, unsigned corners) const
+  {
+    std::vector<VertexSums>& sums = front ? this->Sums.front : this->Sums.back;
     // One comparison is all that lamps cost where they are not kept apart.
     const std::size_t first = this->Lamps > 1 ? this->FirstSlotOf(photon) : 0;
     VertexSums* const map = sums.data() + first;
-    const RegisteredPlace place = this->LitScene.PlaceOnGiven(hit);
-    const glm::vec3 weights = HitWeights<RegistrationKind>(
+    FourNumbers weights = HitWeights<RegistrationKind>(
       this->LitScene, place, this->LitScene.Facets()[hit.facet].normal, towards);
-    const float startWeight = this->StartWeights[photon.source];
+    if constexpr (RegistrationKind != Registration::Flat)
+    {
+      const FourNumbers most = this->WeightBound * OfCorners(place.barycentric);
+      const auto exceeds = weights > most;
+      if ((exceeds[0] | exceeds[1] | exceeds[2]) != 0)
+      {
+        weights = this->CutAtBound(weights, most, photon.source, corners);
+      }
+    }
+    const FourNumbers inFixedPoint =
+      weights * (this->StartWeights[photon.source] * FixedPointOne) + 0.5f;
     FixedPoint rounded[3] = {};
     for (int corner = 0; corner < 3; ++corner)
     {
@@ -194,25 +150,34 @@ private:
       {
         continue;
       }
-      float weight = weights[corner];
-      if constexpr (RegistrationKind != Registration::Flat)
-      {
-        const float most = this->WeightBound * place.barycentric[corner];
-        if (weight > most)
-        {
-          this->Sums.cutByWeightBound[photon.source] += ToCoarseFixedPoint(weight - most);
-          weight = most;
-        }
-      }
       VertexSums& vertex = map[place.vertices[corner]];
-      rounded[corner] = ToFixedPoint(weight, startWeight);
+      rounded[corner] = static_cast<FixedPoint>(inFixedPoint[corner]);
       (photon.direct ? vertex.direct : vertex.indirect) += rounded[corner];
       ++vertex.hits;
     }
-    if (layers)
+    if (front && this->Layers.HasColour())
     {
       this->AddToLayers(first, place.vertices, photon, rounded);
     }
+  }
+
+  /// The weights within the bound; counts what is cut off. It is not inlined, since it is rare and
+  /// the hot code must stay small.
+  [[gnu::noinline]] FourNumbers CutAtBound(
+    FourNumbers weights, FourNumbers most, std::uint32_t source, unsigned corners) const
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      if (weights[corner] > most[corner])
+      {
+        if (((corners >> corner) & 1u) != 0)
+        {
+          this->Sums.cutByWeightBound[source] += ToCoarseFixedPoint(weights[corner] - most[corner]);
+        }
+        weights[corner] = most[corner];
+      }
+    }
+    return weights;
   }
 
   /// Of the photon's lamp; see Emitter.
@@ -245,7 +210,8 @@ private:
   LightLayers& Layers;
   const float* StartWeights;
   std::size_t Lamps;
-  std::size_t Vertices; ///< Slots of a lamp.
+  std::size_t Vertices;                    ///< Slots of a lamp.
+  mutable std::vector<GrazingHit> Grazing; ///< See Finish.
 };
 
 } // namespace PhotonTransport

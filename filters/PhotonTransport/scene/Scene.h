@@ -104,6 +104,28 @@ public:
   {
     __builtin_prefetch(&this->VertexRecords[vertex]);
   }
+  // The first that AreaInRing reads for a vertex, and the rest if it lies elsewhere.
+  [[gnu::always_inline]] inline void PrefetchRing(std::uint32_t vertex) const
+  {
+    if (this->RingAreas.empty())
+    {
+      __builtin_prefetch(this->Rings.Of(vertex).first);
+    }
+    else
+    {
+      __builtin_prefetch(&this->RingAreas[this->Rings.Begin(vertex)]);
+    }
+  }
+  [[gnu::always_inline]] inline void PrefetchAreasOfRing(std::uint32_t vertex) const
+  {
+    if (this->RingAreas.empty())
+    {
+      for (const std::uint32_t facet : this->Rings.Of(vertex))
+      {
+        __builtin_prefetch(&this->FacetAreas[facet]);
+      }
+    }
+  }
 
   const LargeArray<Facet>& Facets() const { return this->FacetRecords; }
   /// The vertices that light counts for come first. Those that a refinement added have no more than
@@ -136,22 +158,16 @@ public:
   /// The index that a facet, or the one of which it is a part, has in the surface that the user
   /// gave.
   std::uint32_t InSurface(std::uint32_t facet) const;
-  /// Calls f(area vector) for the facets of a vertex's ring, each by the vertex's share of it.
-  template <typename F>
-  void ForEachAreaAround(std::uint32_t vertex, const F& f) const
+  /// How many facets a vertex's ring has.
+  std::size_t RingSize(std::uint32_t vertex) const
   {
-    if (!this->RingAreas.empty())
-    {
-      for (std::size_t i = this->Rings.Begin(vertex); i < this->Rings.Begin(vertex + 1); ++i)
-      {
-        f(this->RingAreas[i]);
-      }
-      return;
-    }
-    for (const std::uint32_t facet : this->Rings.Of(vertex))
-    {
-      f(this->FacetAreas[facet]);
-    }
+    return this->Rings.Begin(vertex + 1) - this->Rings.Begin(vertex);
+  }
+  /// The area vector of the facet at a place of a vertex's ring, by the vertex's share of it.
+  const glm::vec3& AreaInRing(std::uint32_t vertex, std::size_t place) const
+  {
+    return this->RingAreas.empty() ? this->FacetAreas[this->Rings.Of(vertex).first[place]]
+                                   : this->RingAreas[this->Rings.Begin(vertex) + place];
   }
   /// For each vertex its ring, where facets have neither parts nor copies; else null.
   const FacetRings* WholeRings() const

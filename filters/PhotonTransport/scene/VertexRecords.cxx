@@ -103,7 +103,7 @@ glm::vec3 Scene::SharedArea(std::uint32_t facet, std::uint32_t vertex) const
   return this->ShareOfCorner(facet, corner) * this->FacetAreas[facet];
 }
 
-/// Makes the lists that ForEachAreaAround reads.
+/// Makes the lists that AreaInRing reads.
 void Scene::AddRings(std::size_t vertices)
 {
   this->Rings = this->RingsThatCount(vertices);
@@ -145,7 +145,10 @@ void Scene::AddVertices(const Surface& surface, const PlacedPoints& points)
           continue;
         }
         ring.clear();
-        this->ForEachAreaAround(v, [&](const glm::vec3& area) { ring.emplace_back(area); });
+        for (std::size_t place = 0; place < this->RingSize(v); ++place)
+        {
+          ring.emplace_back(this->AreaInRing(v, place));
+        }
         found[v] = this->MakeVertex(v, ring, points.normals[v], positions[v]);
       }
     },

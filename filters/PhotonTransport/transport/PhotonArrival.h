@@ -141,7 +141,8 @@ void Keep(const Flight& photon, const Ray& ray, const Hit& hit, bool front, cons
 /// @param hit Its end; moved to another facet where that one lies in the same place and counts.
 /// @param onHit Called as onHit(ray, hit, front, photon.origin, corners); without `corners` all
 /// corners of the facet count. After that onHit.Arrived(hit, front, photon.origin) is called
-/// once, unless the photon's path ends here for its length. See Keep, too.
+/// once, unless the photon's path ends here for its length, and after all photons of a batch
+/// onHit.Finish(). See Keep, too.
 /// @param arrivals By source.
 /// @return Whether it goes on.
 template <Walk WalkKind, class OnHit>

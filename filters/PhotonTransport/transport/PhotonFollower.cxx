@@ -84,6 +84,7 @@ struct HitKeeper
   HitCollector& collector;
 
   void operator()(const Ray&, const Hit&, bool, const PhotonOrigin&, unsigned = AllCorners) const {}
+  void Finish() const {}
   void Arrived(const Hit&, bool, const PhotonOrigin&) const {}
   void Prefetch(const Hit&) const {}
   void Keep(const PhotonHit& hit) const { this->collector.Add(hit); }

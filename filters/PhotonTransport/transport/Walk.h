@@ -41,20 +41,32 @@ void ArriveAll(FlightBatch& batch, const WalkSettings& settings, const OnHit& on
     }
     left += goesOn;
   }
+  onHit.Finish();
   batch.flying = left;
   batch.diffuse.Reflect([&](std::size_t place, const glm::vec3& direction)
     { batch.rays[place].direction = direction; });
 }
 
-/// Brings what the photons' arrival will need into the cache.
-template <class OnHit>
-[[gnu::always_inline]] inline void PrefetchHits(
-  const FlightBatch& batch, const Scene& scene, const OnHit& onHit)
+/// Finds the photons' hits, and brings each packet's facets into the cache while the next packet is
+/// traced.
+[[gnu::always_inline]] inline void Intersect(FlightBatch& batch, const Scene& scene)
 {
-  for (std::size_t i = 0; i < batch.flying; ++i)
+  constexpr std::size_t Packet = 8;
+  for (std::size_t first = 0; first < batch.flying; first += Packet)
   {
-    scene.PrefetchFacet(batch.hits[i]);
+    const std::size_t count = std::min(Packet, batch.flying - first);
+    scene.Intersect(&batch.rays[first], &batch.hits[first], count);
+    for (std::size_t i = first; i < first + count; ++i)
+    {
+      scene.PrefetchFacet(batch.hits[i]);
+    }
   }
+}
+
+/// Brings what else the photons' arrival will need into the cache.
+template <class OnHit>
+[[gnu::always_inline]] inline void PrefetchHits(const FlightBatch& batch, const OnHit& onHit)
+{
   for (std::size_t i = 0; i < batch.flying; ++i)
   {
     onHit.Prefetch(batch.hits[i]);
@@ -84,13 +96,13 @@ void WalkPhotons(const WalkSettings& settings, std::uint64_t first, std::uint64_
       batch.flying = settings.openings->Start(
         batch.photons.data(), batch.rays.data(), onWay, batch.flying, balances, arrivals);
     }
-    settings.scene.Intersect(batch.rays.data(), batch.hits.data(), batch.flying);
+    Intersect(batch, settings.scene);
     if (settings.openings)
     {
       batch.flying = settings.openings->HandOver(batch.photons.data(), batch.rays.data(),
         batch.hits.data(), batch.flying, balances, arrivals);
     }
-    PrefetchHits(batch, settings.scene, onHit);
+    PrefetchHits(batch, onHit);
     ArriveAll<WalkKind>(batch, settings, onHit, balances, arrivals);
   } while (batch.flying > 0 || next < last);
 }
