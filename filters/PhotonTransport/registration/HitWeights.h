@@ -2,6 +2,7 @@
 #pragma once
 
 #include "PhotonTransport/registration/Registration.h"
+#include "PhotonTransport/scene/FourLanes.h"
 #include "PhotonTransport/scene/Scene.h"
 
 #include <glm/geometric.hpp>
@@ -14,21 +15,18 @@
 namespace PhotonTransport
 {
 
-/// Numbers side by side.
-using FourNumbers = float __attribute__((vector_size(16)));
-
 /// Numbers of the three corners of a facet; the fourth has no meaning.
-inline FourNumbers OfCorners(const glm::vec3& numbers)
+inline Four OfCorners(const glm::vec3& numbers)
 {
-  return FourNumbers{ numbers.x, numbers.y, numbers.z, 0.0f };
+  return Four{ numbers.x, numbers.y, numbers.z, 0.0f };
 }
 
 /// Scalar products of a vector with four others.
-inline FourNumbers Dots(const glm::vec3& v, const glm::vec3& a, const glm::vec3& b,
-  const glm::vec3& c, const glm::vec3& d)
+inline Four Dots(const glm::vec3& v, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
+  const glm::vec3& d)
 {
-  return v.x * FourNumbers{ a.x, b.x, c.x, d.x } + v.y * FourNumbers{ a.y, b.y, c.y, d.y } +
-    v.z * FourNumbers{ a.z, b.z, c.z, d.z };
+  return v.x * Four{ a.x, b.x, c.x, d.x } + v.y * Four{ a.y, b.y, c.y, d.y } +
+    v.z * Four{ a.z, b.z, c.z, d.z };
 }
 
 /// Area that the ring of `v` shows to light arriving from `towards`, over its whole area:
@@ -39,18 +37,18 @@ inline float ShownArea(const Scene& scene, std::uint32_t v, const glm::vec3& tow
   const std::size_t number = scene.RingSize(v);
   const auto area = [&](std::size_t i)
   { return i < number ? scene.AreaInRing(v, i) : glm::vec3(0.0f); };
-  const FourNumbers none{};
-  FourNumbers sums{};
+  const Four none{};
+  Four sums{};
   for (std::size_t i = 0; i < number; i += 4)
   {
-    const FourNumbers shown = Dots(towards, area(i), area(i + 1), area(i + 2), area(i + 3));
+    const Four shown = Dots(towards, area(i), area(i + 1), area(i + 2), area(i + 3));
     sums += shown > none ? shown : none;
   }
   return (sums[0] + sums[1] + sums[2] + sums[3]) * scene.Vertices()[v].inverseThreeAreas;
 }
 
 /// The weights of HitWeights for Registration::FacetRatio.
-inline FourNumbers FacetRatioWeights(const Scene& scene, const RegisteredPlace& place,
+inline Four FacetRatioWeights(const Scene& scene, const RegisteredPlace& place,
   const glm::vec3& facetNormal, const glm::vec3& towards)
 {
   glm::vec3 smooth(0.0f);
@@ -69,14 +67,14 @@ inline FourNumbers FacetRatioWeights(const Scene& scene, const RegisteredPlace& 
   const float cosSmooth = glm::dot(towards, smooth);
   if (!(cosSmooth > 0.0f && length > 0.0f))
   {
-    return FourNumbers{};
+    return Four{};
   }
   const float cosFlat = std::max(0.0f, glm::dot(towards, facetNormal));
   // Formula (2) as its text means it: the first s_norm is the smooth normal, the second the flat.
   return std::min(cosSmooth / (length * cosFlat), LargestFactor) * OfCorners(place.barycentric);
 }
 
-/// What light shows of the vertices of a facet, side by side; the fourth number has no meaning.
+/// What light shows of the vertices of a facet, side by side; the fourth number is 0.
 struct ShownCorners
 {
   ShownCorners(const Scene& scene, const glm::uvec3& vertices, const glm::vec3& towards)
@@ -90,17 +88,16 @@ struct ShownCorners
     this->area = Dots(towards, a.shownArea, b.shownArea, c.shownArea, none);
   }
 
-  using Choice = std::int32_t __attribute__((vector_size(16)));
   /// Where light is so grazing that only the sum over the ring tells the area.
-  Choice NeedsRing() const
+  FourBits NeedsRing() const
   {
-    const FourNumbers zero{};
+    const Four zero{};
     return (this->cosine > zero) & (this->cosine < this->sinTilt);
   }
 
-  FourNumbers sinTilt;
-  FourNumbers cosine; ///< To the vertex normal.
-  FourNumbers area;   ///< See ShownArea.
+  Four sinTilt;
+  Four cosine; ///< To the vertex normal.
+  Four area;   ///< See ShownArea.
 };
 
 /// Whether the weights of a hit take sums over rings.
@@ -109,20 +106,19 @@ bool NeedsRings(const Scene& scene, const RegisteredPlace& place, const glm::vec
 {
   if constexpr (RegistrationKind == Registration::VertexNormalised)
   {
-    const auto needed = ShownCorners(scene, place.vertices, towards).NeedsRing();
-    return (needed[0] | needed[1] | needed[2]) != 0;
+    return Any(ShownCorners(scene, place.vertices, towards).NeedsRing());
   }
   return false;
 }
 
 /// The weights of HitWeights for Registration::VertexNormalised: of all corners at once, and
 /// without branches, since chance decides whether a corner is flat.
-inline FourNumbers VertexNormalisedWeights(
+inline Four VertexNormalisedWeights(
   const Scene& scene, const RegisteredPlace& place, const glm::vec3& towards)
 {
   ShownCorners corners(scene, place.vertices, towards);
-  const auto needsRing = corners.NeedsRing();
-  if ((needsRing[0] | needsRing[1] | needsRing[2]) != 0)
+  const FourBits needsRing = corners.NeedsRing();
+  if (Any(needsRing)) // rarely
   {
     for (int corner = 0; corner < 3; ++corner)
     {
@@ -132,25 +128,22 @@ inline FourNumbers VertexNormalisedWeights(
       }
     }
   }
-  const FourNumbers zero{};
-  const FourNumbers largest = zero + LargestFactor;
+  const Four zero{};
   // The hit facet is in the ring, so only rounding at grazing incidence can bring this to 0.
-  const FourNumbers shown = corners.area > zero ? corners.area : zero;
-  FourNumbers factor = corners.cosine / shown;
-  factor = largest < factor ? largest : factor;
+  const Four shown = Largest(zero, corners.area);
+  Four factor = Least(FourTimes(LargestFactor), corners.cosine / shown);
   factor = corners.cosine > zero ? factor : zero;
-  const FourNumbers barycentric = OfCorners(place.barycentric);
+  const Four barycentric = OfCorners(place.barycentric);
   return corners.sinTilt < zero ? barycentric : barycentric * factor;
 }
 
 /// Weights of one hit for the three vertices of its facet, before the bound. Each is within
 /// [0, LargestFactor] times its barycentric coordinate; the fourth number has no meaning.
-/// @param facetNormal Of the facet that was
-/// hit. @param towards Unit, on the front of the facet: back along the ray for a hit on the front,
-/// along it for a hit on the back.
+/// @param facetNormal Of the facet that was hit. @param towards Unit, on the front of the facet:
+/// back along the ray for a hit on the front, along it for a hit on the back.
 template <Registration RegistrationKind>
-FourNumbers HitWeights(const Scene& scene, const RegisteredPlace& place,
-  const glm::vec3& facetNormal, const glm::vec3& towards)
+Four HitWeights(const Scene& scene, const RegisteredPlace& place, const glm::vec3& facetNormal,
+  const glm::vec3& towards)
 {
   if constexpr (RegistrationKind == Registration::Flat)
   {

@@ -130,19 +130,18 @@ private:
     // One comparison is all that lamps cost where they are not kept apart.
     const std::size_t first = this->Lamps > 1 ? this->FirstSlotOf(photon) : 0;
     VertexSums* const map = sums.data() + first;
-    FourNumbers weights = HitWeights<RegistrationKind>(
+    Four weights = HitWeights<RegistrationKind>(
       this->LitScene, place, this->LitScene.Facets()[hit.facet].normal, towards);
     if constexpr (RegistrationKind != Registration::Flat)
     {
-      const FourNumbers most = this->WeightBound * OfCorners(place.barycentric);
+      const Four most = this->WeightBound * OfCorners(place.barycentric);
       const auto exceeds = weights > most;
       if ((exceeds[0] | exceeds[1] | exceeds[2]) != 0)
       {
         weights = this->CutAtBound(weights, most, photon.source, corners);
       }
     }
-    const FourNumbers inFixedPoint =
-      weights * (this->StartWeights[photon.source] * FixedPointOne) + 0.5f;
+    const Four inFixedPoint = weights * (this->StartWeights[photon.source] * FixedPointOne) + 0.5f;
     FixedPoint rounded[3] = {};
     for (int corner = 0; corner < 3; ++corner)
     {
@@ -163,8 +162,8 @@ private:
 
   /// The weights within the bound; counts what is cut off. It is not inlined, since it is rare and
   /// the hot code must stay small.
-  [[gnu::noinline]] FourNumbers CutAtBound(
-    FourNumbers weights, FourNumbers most, std::uint32_t source, unsigned corners) const
+  [[gnu::noinline]] Four CutAtBound(
+    Four weights, Four most, std::uint32_t source, unsigned corners) const
   {
     for (int corner = 0; corner < 3; ++corner)
     {
