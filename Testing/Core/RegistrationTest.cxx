@@ -22,7 +22,7 @@ template <Registration RegistrationKind>
 glm::vec3 WeightsOf(const Scene& scene, const RegisteredPlace& place, const glm::vec3& facetNormal,
   const glm::vec3& towards)
 {
-  const FourNumbers weights = HitWeights<RegistrationKind>(scene, place, facetNormal, towards);
+  const Four weights = HitWeights<RegistrationKind>(scene, place, facetNormal, towards);
   return { weights[0], weights[1], weights[2] };
 }
 
