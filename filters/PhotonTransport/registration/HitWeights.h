@@ -52,16 +52,9 @@ inline Four FacetRatioWeights(const Scene& scene, const RegisteredPlace& place,
   const glm::vec3& facetNormal, const glm::vec3& towards)
 {
   glm::vec3 smooth(0.0f);
-  int flatCorners = 0;
   for (int corner = 0; corner < 3; ++corner)
   {
-    const Vertex& vertex = scene.Vertices()[place.vertices[corner]];
-    smooth += place.barycentric[corner] * vertex.normal;
-    flatCorners += vertex.IsFlat();
-  }
-  if (flatCorners == 3)
-  {
-    return OfCorners(place.barycentric);
+    smooth += place.barycentric[corner] * scene.Vertices()[place.vertices[corner]].normal;
   }
   const float length = glm::length(smooth);
   const float cosSmooth = glm::dot(towards, smooth);
@@ -138,7 +131,8 @@ inline Four VertexNormalisedWeights(
 }
 
 /// Weights of one hit for the three vertices of its facet, before the bound. Each is within
-/// [0, LargestFactor] times its barycentric coordinate; the fourth number has no meaning.
+/// [0, LargestFactor] times its barycentric coordinate; the fourth number has no meaning. On facets
+/// that are flat all registrations do the same as Registration::Flat, up to rounding.
 /// @param facetNormal Of the facet that was hit. @param towards Unit, on the front of the facet:
 /// back along the ray for a hit on the front, along it for a hit on the back.
 template <Registration RegistrationKind>

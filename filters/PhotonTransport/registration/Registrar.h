@@ -62,7 +62,11 @@ public:
     }
     const glm::vec3 towards = front ? -ray.direction : ray.direction;
     const RegisteredPlace place = this->LitScene.PlaceOnGiven(hit);
-    if (NeedsRings<RegistrationKind>(this->LitScene, place, towards))
+    if (RegistrationKind == Registration::Flat || this->LitScene.Facets()[hit.facet].IsFlat())
+    {
+      this->Register<Registration::Flat>(hit, place, towards, front, photon, corners);
+    }
+    else if (NeedsRings<RegistrationKind>(this->LitScene, place, towards))
     {
       this->Grazing.push_back({ hit, towards, front, photon, corners });
       for (int corner = 0; corner < 3; ++corner)
@@ -72,7 +76,7 @@ public:
     }
     else
     {
-      this->Register(hit, place, towards, front, photon, corners);
+      this->Register<RegistrationKind>(hit, place, towards, front, photon, corners);
     }
   }
 
@@ -90,7 +94,8 @@ public:
     }
     for (const auto& [hit, towards, front, photon, corners] : this->Grazing)
     {
-      this->Register(hit, this->LitScene.PlaceOnGiven(hit), towards, front, photon, corners);
+      this->Register<RegistrationKind>(
+        hit, this->LitScene.PlaceOnGiven(hit), towards, front, photon, corners);
     }
     this->Grazing.clear();
   }
@@ -123,6 +128,7 @@ private:
     unsigned corners;
   };
 
+  template <Registration WithWeightsOf>
   void Register(const Hit& hit, const RegisteredPlace& place, const glm::vec3& towards, bool front,
     const PhotonOrigin& photon, unsigned corners) const
   {
@@ -130,9 +136,9 @@ private:
     // One comparison is all that lamps cost where they are not kept apart.
     const std::size_t first = this->Lamps > 1 ? this->FirstSlotOf(photon) : 0;
     VertexSums* const map = sums.data() + first;
-    Four weights = HitWeights<RegistrationKind>(
+    Four weights = HitWeights<WithWeightsOf>(
       this->LitScene, place, this->LitScene.Facets()[hit.facet].normal, towards);
-    if constexpr (RegistrationKind != Registration::Flat)
+    if constexpr (WithWeightsOf != Registration::Flat)
     {
       const Four most = this->WeightBound * OfCorners(place.barycentric);
       const auto exceeds = weights > most;

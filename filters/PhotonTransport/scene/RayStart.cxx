@@ -49,7 +49,7 @@ inline glm::vec3 Scene::SafeOriginAt(const glm::vec3& point, const Hit& hit, boo
 {
   const Facet& facet = this->FacetRecords[hit.facet];
   const float offset = OriginOffset * this->Reach(point);
-  const float margin = facet.marginPerOffset * offset;
+  const float margin = facet.MarginPerOffset() * offset;
   if (std::min(std::min(hit.barycentric.x, hit.barycentric.y), hit.barycentric.z) < margin)
   {
     return this->SafeOrigin(hit.facet, hit.barycentric, front);
@@ -69,7 +69,7 @@ inline glm::vec3 Scene::SafeOriginAt(const glm::vec3& point, const Hit& hit, boo
   // Clear of the facets in the same place, too.
   const float offset = OriginOffset * static_cast<float>(this->Reach(at(barycentric))) +
     this->ApartFromSharers(f) + lift;
-  const float margin = std::min(1.0f / 3.0f, facet.marginPerOffset * offset);
+  const float margin = std::min(1.0f / 3.0f, facet.MarginPerOffset() * offset);
   const glm::vec3 inside = glm::max(barycentric, margin);
   const glm::dvec3 point = at(inside / (inside.x + inside.y + inside.z));
   return glm::vec3(point + double{ front ? offset : -offset } * glm::dvec3(facet.normal));

@@ -219,6 +219,7 @@ private:
     return number;
   }
   void AddVertices(const Surface& surface, const PlacedPoints& points);
+  void MarkFlatFacets();
   FacetRings RingsThatCount(std::size_t vertices) const;
   void AddRings(std::size_t vertices);
   float ShareOfCorner(std::uint32_t facet, int corner) const;

@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cmath>
 #include <vector>
 
 namespace PhotonTransport
@@ -37,9 +38,14 @@ struct alignas(32) Facet
   glm::uvec3 vertices;
   float reflectance; ///< Diffuse, luminous.
   glm::vec3 normal;  ///< Unit, on the side of the vertex normals (the front).
+  /// MarginPerOffset(), with the sign -1 where IsFlat(): there is no room for more.
+  float signedMargin;
+
   /// Least barycentric coordinate at which a ray may start, for each unit of its offset; see
   /// SafeOrigin.
-  float marginPerOffset;
+  float MarginPerOffset() const { return std::fabs(this->signedMargin); }
+  /// Whether all vertices that light on it counts for are flat; see Vertex::IsFlat().
+  bool IsFlat() const { return std::signbit(this->signedMargin); }
 };
 
 /// The facet of the given surface that a facet of a refined one is a part of: light counts for its

@@ -83,7 +83,7 @@ private:
     const glm::vec3 middle(1.0f / 3.0f);
     const glm::vec3 start = this->SearchedScene.SafeOrigin(f, middle, front);
     const float offset = OriginOffset * this->SearchedScene.Reach(start);
-    if (facet.marginPerOffset * offset > EdgeClearance / Narrow)
+    if (facet.MarginPerOffset() * offset > EdgeClearance / Narrow)
     {
       this->NoteIfUnresolved(f, front, offset);
     }
@@ -242,7 +242,7 @@ bool Scene::MayHaveGap(std::uint32_t facet, const std::vector<std::uint8_t>& clo
   constexpr float WideEnough = EdgeClearance / 32.0f;
   constexpr float UsualReach = 0x1p-4f;
   return (close[facet] & MayBeBefore) != 0 || this->LeastReach > UsualReach ||
-    this->FacetRecords[facet].marginPerOffset * OriginOffset > WideEnough;
+    this->FacetRecords[facet].MarginPerOffset() * OriginOffset > WideEnough;
 }
 
 /// @param close What FindCloseFacets says.

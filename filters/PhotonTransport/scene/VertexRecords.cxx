@@ -154,6 +154,22 @@ void Scene::AddVertices(const Surface& surface, const PlacedPoints& points)
     },
     SimpleCalls);
   this->NoteVertices(found);
+  this->MarkFlatFacets();
+}
+
+/// Registration asks the facet, whose record it has sooner than those of the vertices.
+void Scene::MarkFlatFacets()
+{
+  ForEach(this->FacetRecords.size(),
+    [this](std::size_t i)
+    {
+      const glm::uvec3& ids = this->GivenVertices(static_cast<std::uint32_t>(i));
+      const auto isFlat = [&](int corner) { return this->VertexRecords[ids[corner]].IsFlat(); };
+      if (isFlat(0) && isFlat(1) && isFlat(2))
+      {
+        this->FacetRecords[i].signedMargin = -this->FacetRecords[i].signedMargin;
+      }
+    });
 }
 
 /// @return What is to be noted of it, as FoundAtVertex.
