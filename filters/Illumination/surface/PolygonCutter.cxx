@@ -46,8 +46,7 @@ public:
       this->Mesh->GetPolys()->GetCellAtId(polygon, this->Corners);
       if (this->Corners->GetNumberOfIds() == 3)
       {
-        this->Local->SetNumberOfIds(3);
-        std::copy_n(Whole, 3, this->Local->GetPointer(0));
+        this->OfTriangles->DeepCopy(this->Corners);
       }
       else
       {
@@ -59,8 +58,6 @@ public:
   }
 
 private:
-  static constexpr vtkIdType Whole[3] = { 0, 1, 2 };
-
   void CutPolygon()
   {
     const vtkIdType size = this->Corners->GetNumberOfIds();
@@ -72,23 +69,25 @@ private:
       this->Mesh->GetPoint(this->Corners->GetId(i), place);
       this->Polygon->Points->SetPoint(i, place);
     }
-    this->Polygon->Triangulate(this->Local); // no more than it could cut where it fails
+    // No more than it could cut where it fails. All versions of VTK have this overload.
+    this->Polygon->Triangulate(0, this->OfTriangles, this->PlacesOfTriangles);
   }
 
   void AddTo(Triangles& triangles, vtkIdType polygon) const
   {
-    const vtkIdType number = this->Local->GetNumberOfIds() / 3;
+    const vtkIdType number = this->OfTriangles->GetNumberOfIds() / 3;
     for (vtkIdType i = 0; i < 3 * number; ++i)
     {
-      triangles.corners.push_back(this->Corners->GetId(this->Local->GetId(i)));
+      triangles.corners.push_back(this->OfTriangles->GetId(i));
     }
     triangles.polygons.insert(triangles.polygons.end(), static_cast<std::size_t>(number), polygon);
   }
 
   vtkPolyData* Mesh;
   vtkNew<vtkPolygon> Polygon;
-  vtkNew<vtkIdList> Corners; ///< Of the polygon at hand.
-  vtkNew<vtkIdList> Local;   ///< Three of each of its triangles, by their place in the polygon.
+  vtkNew<vtkIdList> Corners;     ///< Of the polygon at hand.
+  vtkNew<vtkIdList> OfTriangles; ///< Three of each of its triangles.
+  vtkNew<vtkPoints> PlacesOfTriangles;
 };
 
 /// [chunk of polygons]
