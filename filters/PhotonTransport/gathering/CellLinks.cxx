@@ -56,6 +56,23 @@ void AddCaustics(const CellExitance& exitance, LinkTable& table)
   }
 }
 
+/// Gives links the places of their sides in the tables, and adds caustics to the direct light.
+void Join(std::vector<LinkTable>& tables, const std::vector<std::uint32_t>& placeOf,
+  const CellExitance& exitance)
+{
+  for (LinkTable& table : tables)
+  {
+    if (exitance.caustic.Of(0))
+    {
+      AddCaustics(exitance, table);
+    }
+    for (std::uint32_t& link : table.links)
+    {
+      link = placeOf[link]; // LinkTracer links no black side, and all others have a place
+    }
+  }
+}
+
 /// Replaces what is known of a side. @param leaving, arriving [replicate][channel][lamp]
 void Store(const float* leaving, const float* arriving, std::uint32_t side, CellExitance& exitance)
 {
@@ -186,20 +203,13 @@ void CellLinks::Solve(CellExitance& exitance, const Watch& watch) const
 {
   std::vector<std::uint32_t> placeOf;
   std::vector<LinkTable> tables = this->FindLinks(exitance, placeOf, watch);
+  Join(tables, placeOf, exitance);
   std::vector<const DiffuseShares*> shares;
   std::vector<std::uint32_t> others;
   std::uint64_t largest = 0; // of slices, which were there twice: the heap may keep the other one
   std::uint64_t bytes = placeOf.size() * BytesOfAnySide;
-  for (LinkTable& table : tables)
+  for (const LinkTable& table : tables)
   {
-    if (exitance.caustic.Of(0))
-    {
-      AddCaustics(exitance, table);
-    }
-    for (std::uint32_t& link : table.links)
-    {
-      link = placeOf[link]; // LinkTracer links no black side, and all others have a place
-    }
     for (const std::uint32_t side : table.sides)
     {
       shares.push_back(&this->Shares.Of(side));
@@ -217,17 +227,16 @@ void CellLinks::Solve(CellExitance& exitance, const Watch& watch) const
   {
     exitance.known[side] = placeOf[side] != NoSide || this->Shares.IsBlack(side);
   }
-  std::size_t first = 0;
+  const std::size_t perSide =
+    shares.empty() ? 0 : arriving.size() / shares.size(); // [replicate][channel][lamp]
   for (const LinkTable& table : tables)
   {
-    const std::size_t perSide = exitance.Replicates() * table.values;
     ForEach(table.sides.size(),
       [&](std::size_t k)
       {
-        const std::size_t place = (first + k) * perSide;
+        const std::size_t place = placeOf[table.sides[k]] * perSide;
         Store(&leaving[place], &arriving[place], table.sides[k], exitance);
       });
-    first += table.sides.size();
   }
 }
 

@@ -17,8 +17,8 @@ struct LinkTable
   std::vector<std::uint32_t> sides; ///< In the order in which they were found.
   std::vector<float> direct;        ///< [side][replicate][channel][lamp]
   std::vector<std::uint32_t> ends;  ///< [side][replicate] In links.
-  std::vector<std::uint32_t>
-    links;                    ///< Sides; once all are found, places among those of all tables.
+  /// Sides; once all are found, places among those of all tables.
+  std::vector<std::uint32_t> links;
   std::vector<float> weights; ///< [link][channel]
 
   std::size_t Lamps() const { return this->values / this->channels; }

@@ -117,15 +117,6 @@ bool AnyFacetIsColoured(const Surface& surface)
   return facet < surface.facets.size();
 }
 
-/// Whether the lamps' own maps tell the colours of all light; see PhotonTracer::LampsTellColours.
-bool LampsTellColours(const Lighting& lighting, const TraceSettings& settings, bool colouredFacets)
-{
-  return CanBeRelit(settings) && !colouredFacets &&
-    std::none_of(lighting.luminaires.begin(), lighting.luminaires.end(),
-      [](const Luminaire& luminaire)
-      { return std::holds_alternative<EmittingFacets>(luminaire.lamp); });
-}
-
 } // namespace
 
 MemoryNeed::MemoryNeed(

@@ -92,6 +92,8 @@ PhotonTracer::PhotonTracer(const Scene& scene, const Lighting& lighting,
   , Settings(Validated(settings))
   , Cells(cells)
   , EffectsFound(AnalyseEffects(scene, lighting, settings))
+  , ColoursByLamp(
+      PhotonTransport::LampsTellColours(lighting, settings, this->EffectsFound.colouredFacets))
   , Impl(std::make_unique<Implementation>(
       scene, lighting, this->EffectsFound, settings, std::move(openings)))
 {
@@ -146,17 +148,6 @@ const OpeningPhotons* PhotonTracer::OpeningsInUse() const
 bool PhotonTracer::CountsCaustics() const
 {
   return (this->EffectsFound.simulated & ~DiffuseScatterings) != 0;
-}
-
-bool PhotonTracer::LampsTellColours() const
-{
-  bool facetsShine = false;
-  for (std::size_t lamp = 0; lamp < this->Impl->source.Lamps(); ++lamp)
-  {
-    facetsShine =
-      facetsShine || std::holds_alternative<FacetEmitter>(this->Impl->source.OfLamp(lamp));
-  }
-  return CanBeRelit(this->Settings) && !this->EffectsFound.colouredFacets && !facetsShine;
 }
 
 IlluminationSums PhotonTracer::EmptySums() const

@@ -69,9 +69,8 @@ public:
   const Emitter& Source() const;
   const std::vector<float>& StartWeights() const; ///< See Emitter.
   const OpeningPhotons* OpeningsInUse() const;    ///< Null where no light comes through any.
-  /// Whether all light of a lamp has the colour of its luminaire, wherever it arrives, and lamps
-  /// are kept apart, so that the map has colours without layers of them.
-  bool LampsTellColours() const;
+  /// See PhotonTransport::LampsTellColours.
+  bool LampsTellColours() const { return this->ColoursByLamp; }
   /// Whether photons may reach a facet by mirrors, gloss or glass alone.
   bool CountsCaustics() const;
   const Effects& EffectsInUse() const { return this->EffectsFound; }
@@ -88,6 +87,7 @@ private:
   TraceSettings Settings;
   const FacetCells* Cells;
   Effects EffectsFound;
+  bool ColoursByLamp;
   std::unique_ptr<Implementation> Impl;
 };
 

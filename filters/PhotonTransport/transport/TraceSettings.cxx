@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PhotonTransport/transport/TraceSettings.h"
 
+#include "PhotonTransport/lights/Lamp.h"
 #include "PhotonTransport/scene/InvalidInput.h"
+
+#include <algorithm>
+#include <variant>
 
 namespace PhotonTransport
 {
@@ -17,6 +21,14 @@ void Require(bool holds, const std::string& message)
 }
 
 } // namespace
+
+bool LampsTellColours(const Lighting& lighting, const TraceSettings& settings, bool colouredFacets)
+{
+  return CanBeRelit(settings) && !colouredFacets &&
+    std::none_of(lighting.luminaires.begin(), lighting.luminaires.end(),
+      [](const Luminaire& luminaire)
+      { return std::holds_alternative<EmittingFacets>(luminaire.lamp); });
+}
 
 void Validate(const TraceSettings& settings)
 {

@@ -9,6 +9,8 @@
 namespace PhotonTransport
 {
 
+struct Lighting;
+
 /// More threads are refused: oneTBB ends the process if the system can't give it a thread.
 constexpr int MostThreads = 1024;
 
@@ -47,6 +49,11 @@ inline bool CanBeRelit(const TraceSettings& settings)
 {
   return settings.lampsApart && settings.method == Method::PhotonTracing;
 }
+
+/// Whether all light of a lamp has the colour of its luminaire, wherever it arrives, and lamps are
+/// kept apart, so that the map has colours without layers of them. @param colouredFacets Whether
+/// any facet is coloured; see Effects.
+bool LampsTellColours(const Lighting& lighting, const TraceSettings& settings, bool colouredFacets);
 
 /// Throws InvalidInput that names the setting.
 void Validate(const TraceSettings& settings);
